@@ -1,0 +1,145 @@
+//! A coat whose arrays agree.
+
+use crate::{Coat, MipImage};
+
+/// What is wrong with a coat's arrays.
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+pub enum CoatError {
+    /// Arrays that go together differ in length.
+    #[error("{array} has {length} entries where {expected} are needed")]
+    Length {
+        /// The array.
+        array: &'static str,
+        /// Its length.
+        length: usize,
+        /// The length of those it goes with.
+        expected: usize,
+    },
+    /// An index points past the end.
+    #[error("{array}[{at}] is {index}, but only {count} exist")]
+    Index {
+        /// The array.
+        array: &'static str,
+        /// Which entry.
+        at: usize,
+        /// What it says.
+        index: u32,
+        /// How many there are.
+        count: usize,
+    },
+    /// A number is NaN or infinite.
+    #[error("{array}[{at}] is not finite")]
+    NotFinite {
+        /// The array.
+        array: &'static str,
+        /// Which entry.
+        at: usize,
+    },
+    /// A texture's bytes do not fit its size.
+    #[error("level {level} of the {texture} texture: {width} × {height} × {layers} texels need {expected} bytes, not {length}")]
+    Texture {
+        /// Shell or fin.
+        texture: &'static str,
+        /// Level of detail.
+        level: usize,
+        /// Texels across.
+        width: u32,
+        /// Texels down.
+        height: u32,
+        /// Layers.
+        layers: u32,
+        /// Bytes needed.
+        expected: usize,
+        /// Bytes there.
+        length: usize,
+    },
+    /// A texture without layers, levels or texels.
+    #[error("the {0} texture is empty; give it at least one layer, level and texel")]
+    EmptyTexture(&'static str),
+}
+
+impl Coat {
+    /// Checks that lengths agree, indices exist, numbers are finite and textures are whole; who draws calls it first.
+    ///
+    /// # Errors
+    /// The first thing found wrong.
+    pub fn check(&self) -> Result<(), CoatError> {
+        self.check_surface()?;
+        self.check_patches()?;
+        self.check_edges()?;
+        check_texture("shell", self.shells.layers, &self.shells.mips)?;
+        self.fin.as_ref().map_or(Ok(()), |fin| check_texture("fin", 1, &fin.mips))
+    }
+
+    fn check_surface(&self) -> Result<(), CoatError> {
+        let surface = &self.surface;
+        let arrays = [
+            ("surface.positions", &surface.positions),
+            ("surface.normals", &surface.normals),
+            ("surface.offsets", &surface.offsets),
+            ("surface.directions", &surface.directions),
+            ("surface.colours", &surface.colours),
+        ];
+        for (name, array) in arrays {
+            check_length(name, array.len(), surface.positions.len())?;
+            check_finite(name, array.iter().map(|v| v.is_finite()))?;
+        }
+        Ok(())
+    }
+
+    fn check_patches(&self) -> Result<(), CoatError> {
+        let patches = &self.patches;
+        check_length("patches.coordinates", patches.coordinates.len(), patches.vertices.len())?;
+        check_finite("patches.coordinates", patches.coordinates.iter().map(|c| c.is_finite()))?;
+        check_indices("patches.vertices", patches.vertices.iter().copied(), self.surface.positions.len())?;
+        check_indices("patches.faces", patches.faces.iter().flatten().copied(), patches.vertices.len())?;
+        check_indices("patches.patch_ends", patches.patch_ends.iter().copied(), patches.faces.len() + 1)?;
+        check_length("patches.faces", patches.faces.len(), patches.patch_ends.last().map_or(0, |&end| end as usize))
+    }
+
+    fn check_edges(&self) -> Result<(), CoatError> {
+        let edges = &self.edges;
+        let count = edges.vertices.len();
+        check_length("edges.intervals", edges.intervals.len(), count)?;
+        check_length("edges.face_normals", edges.face_normals.len(), count)?;
+        check_length("edges.curvatures", edges.curvatures.len(), count)?;
+        check_indices("edges.vertices", edges.vertices.iter().flatten().copied(), self.surface.positions.len())?;
+        check_finite("edges.intervals", edges.intervals.iter().map(|i| i[0].is_finite() && i[1].is_finite()))?;
+        check_finite("edges.face_normals", edges.face_normals.iter().map(|n| n[0].is_finite() && n[1].is_finite()))?;
+        check_finite("edges.curvatures", edges.curvatures.iter().map(|c| c.is_finite()))
+    }
+}
+
+fn check_length(array: &'static str, length: usize, expected: usize) -> Result<(), CoatError> {
+    if length == expected { Ok(()) } else { Err(CoatError::Length { array, length, expected }) }
+}
+
+fn check_finite(array: &'static str, mut finite: impl Iterator<Item = bool>) -> Result<(), CoatError> {
+    finite.position(|finite| !finite).map_or(Ok(()), |at| Err(CoatError::NotFinite { array, at }))
+}
+
+fn check_indices(array: &'static str, indices: impl Iterator<Item = u32>, count: usize) -> Result<(), CoatError> {
+    for (at, index) in indices.enumerate() {
+        if index as usize >= count {
+            return Err(CoatError::Index { array, at, index, count });
+        }
+    }
+    Ok(())
+}
+
+fn check_texture(texture: &'static str, layers: u32, mips: &[MipImage]) -> Result<(), CoatError> {
+    if layers == 0 || mips.is_empty() {
+        return Err(CoatError::EmptyTexture(texture));
+    }
+    for (level, mip) in mips.iter().enumerate() {
+        let (width, height) = (mip.width, mip.height);
+        if width == 0 || height == 0 {
+            return Err(CoatError::EmptyTexture(texture));
+        }
+        let (expected, length) = (4 * width as usize * height as usize * layers as usize, mip.texels.len());
+        if length != expected {
+            return Err(CoatError::Texture { texture, level, width, height, layers, expected, length });
+        }
+    }
+    Ok(())
+}

@@ -1,0 +1,117 @@
+//! A coat: what there is to draw, once for all who draw it.
+//!
+//! Plain arrays and no crate of ours: the surface, how the hair tile lies on it, how far and which way the fur stands,
+//! its colour, and the textures sampled from its strands. `pelage-render` draws it; whoever builds it need not know how.
+//!
+//! # Convention
+//! Coordinates are the model's, moved and scaled so that the box around it is centred at the origin and its diagonal, the *diameter*,
+//! is 1 ([`Frame`]). Right-handed, y up. Faces wind anticlockwise seen from outside. Colours are linear light, Rec. 709 primaries.
+
+mod camera;
+mod check;
+mod texture;
+
+use std::sync::Arc;
+
+use glam::{DVec3, Vec2, Vec3};
+
+pub use camera::{Background, Camera, Light};
+pub use check::CoatError;
+pub use texture::{FinTexture, MipImage, ShellTexture};
+
+/// Where coat coordinates lie in the model's own: model = centre + diameter × coat.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Frame {
+    /// The centre of the model's bounding box, in model units.
+    pub centre: DVec3,
+    /// The diagonal of the model's bounding box, in model units; positive.
+    pub diameter: f64,
+}
+
+impl Frame {
+    /// A place in model coordinates as one in coat coordinates; rounded only after it is normalised.
+    pub fn place(&self, model: DVec3) -> Vec3 {
+        ((model - self.centre) / self.diameter).as_vec3()
+    }
+}
+
+/// The skin: per-vertex arrays of equal length.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Surface {
+    /// Where each vertex is.
+    pub positions: Vec<Vec3>,
+    /// Unit outward normals; zero for an unreferenced vertex.
+    pub normals: Vec<Vec3>,
+    /// *c_v*: from the skin to the outermost shell; its length is the fur's, its tangential part the slant (L19, L20). Zero: bare.
+    pub offsets: Vec<Vec3>,
+    /// *T*: the unit direction of the hair for lighting, stored apart from the offset (L14).
+    pub directions: Vec<Vec3>,
+    /// A colour that multiplies the textures' (L18), 0 to 1.
+    pub colours: Vec<Vec3>,
+}
+
+/// How the hair tile lies on the surface: each patch has its own vertices, so that tile coordinates jump only between patches.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct PatchMesh {
+    /// The surface vertex under each patch vertex.
+    pub vertices: Vec<u32>,
+    /// Tile coordinates of each patch vertex; one unit is one repeat of the toroidal tile.
+    pub coordinates: Vec<Vec2>,
+    /// Corners of each face as patch vertices, faces of one patch in a row.
+    pub faces: Vec<[u32; 3]>,
+    /// Where the faces of each patch end in `faces`.
+    pub patch_ends: Vec<u32>,
+}
+
+/// The edges that fins can stand on: arrays of equal length, one entry an edge (L9, L11).
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct FinEdges {
+    /// The edge's surface vertices.
+    pub vertices: Vec<[u32; 2]>,
+    /// The horizontal interval of the fin texture at the two ends: it starts at random, and its length is the edge's in tile coordinates
+    /// over the tiles that the fin texture spans. Signed, wrapped.
+    pub intervals: Vec<[f32; 2]>,
+    /// The unit normals of the two faces; twice the same at a boundary.
+    pub face_normals: Vec<[Vec3; 2]>,
+    /// How fast the surface turns across the edge: the angle between the face normals over the distance between the face centres, in radians per diameter.
+    pub curvatures: Vec<f32>,
+}
+
+/// A coat of fur on a surface, ready to draw.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Coat {
+    /// Where it lies in the model's coordinates.
+    pub frame: Frame,
+    /// The skin.
+    pub surface: Surface,
+    /// The tiling.
+    pub patches: PatchMesh,
+    /// The edges.
+    pub edges: FinEdges,
+    /// The shell layers.
+    pub shells: Arc<ShellTexture>,
+    /// The fin texture; without one no fins are drawn.
+    pub fin: Option<Arc<FinTexture>>,
+}
+
+impl Coat {
+    /// The least and greatest corner of the box around skin and fur.
+    pub fn bounds(&self) -> (Vec3, Vec3) {
+        let mut bounds = (Vec3::INFINITY, Vec3::NEG_INFINITY);
+        for &vertex in &self.patches.vertices {
+            let (skin, offset) = (self.surface.positions[vertex as usize], self.surface.offsets[vertex as usize]);
+            for p in [skin, skin + offset] {
+                bounds = (bounds.0.min(p), bounds.1.max(p));
+            }
+        }
+        bounds
+    }
+
+    /// How many bytes it holds, textures not counted twice where they are shared.
+    pub fn byte_size(&self) -> usize {
+        self.surface.positions.len() * 5 * size_of::<Vec3>()
+            + self.patches.vertices.len() * 12
+            + self.patches.faces.len() * 12
+            + self.edges.vertices.len() * (8 + 8 + 24 + 4)
+    }
+}
