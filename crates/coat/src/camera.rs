@@ -27,11 +27,7 @@ impl Camera {
         let distance = margin * radius / half_angle.sin();
         let away = Vec3::new(elevation.cos() * azimuth.sin(), elevation.sin(), elevation.cos() * azimuth.cos());
         // Straight up and down, "up" is where the picture's top would go a moment before.
-        let up = if elevation.cos().abs() < 1e-4 {
-            -elevation.signum() * Vec3::new(azimuth.sin(), 0.0, azimuth.cos())
-        } else {
-            Vec3::Y
-        };
+        let up = if elevation.cos().abs() < 1e-4 { -elevation.signum() * Vec3::new(azimuth.sin(), 0.0, azimuth.cos()) } else { Vec3::Y };
         Self { eye: centre + distance * away, target: centre, up, field_of_view, near: (0.01 * distance).max(1e-6) }
     }
 
@@ -40,10 +36,22 @@ impl Camera {
         let view = glam::camera::rh::view::look_at_mat4(self.eye, self.target, self.up);
         let focal = 1.0 / (0.5 * self.field_of_view).tan();
         let projection = Mat4::from_cols_array(&[
-            focal / aspect, 0.0, 0.0, 0.0, //
-            0.0, focal, 0.0, 0.0, //
-            0.0, 0.0, 0.0, -1.0, //
-            0.0, 0.0, self.near, 0.0,
+            focal / aspect,
+            0.0,
+            0.0,
+            0.0, //
+            0.0,
+            focal,
+            0.0,
+            0.0, //
+            0.0,
+            0.0,
+            0.0,
+            -1.0, //
+            0.0,
+            0.0,
+            self.near,
+            0.0,
         ]);
         projection * view
     }

@@ -132,9 +132,7 @@ impl Topology {
 
     /// One half-edge for each edge: the one with the lower number, or the only one at a boundary.
     pub fn edges(&self) -> impl Iterator<Item = HalfEdgeId> + '_ {
-        (0..self.origins.len() as u32)
-            .filter(|&h| self.twins[h as usize] == NONE || h < self.twins[h as usize])
-            .map(HalfEdgeId)
+        (0..self.origins.len() as u32).filter(|&h| self.twins[h as usize] == NONE || h < self.twins[h as usize]).map(HalfEdgeId)
     }
 
     /// The corners of a face, in winding order.
@@ -190,11 +188,7 @@ impl Topology {
     /// The vertices joined to a vertex by an edge, anticlockwise.
     pub fn vertex_neighbours(&self, vertex: VertexId) -> impl Iterator<Item = VertexId> + '_ {
         // The fan of a boundary vertex has one neighbour more than half-edges that leave: the start of the last face's last side.
-        let last = self
-            .leaving(vertex)
-            .map(HalfEdgeId::previous)
-            .find(|&h| self.twin(h).is_none())
-            .map(|h| self.origin(h));
+        let last = self.leaving(vertex).map(HalfEdgeId::previous).find(|&h| self.twin(h).is_none()).map(|h| self.origin(h));
         self.leaving(vertex).map(|h| self.tip(h)).chain(last)
     }
 
