@@ -1,0 +1,104 @@
+//! The row "Lighting table" of the numbers at their extremes.
+#![allow(clippy::expect_used, reason = "a test may panic")]
+
+use pelage_lighting::{Axis, FactorError, HairLighting, LightingTable, TableError, TableLayout};
+
+fn lighting() -> HairLighting {
+    HairLighting { diffuse_power: 1.0, specular_power: 64.0, ..HairLighting::default() }
+}
+
+fn error(size: usize, u: Axis, v: Axis) -> FactorError {
+    LightingTable::new(&lighting(), TableLayout { size, u, v }).expect("a legal size").factor_error(&lighting())
+}
+
+fn near(measured: f64, expected: f64) {
+    assert!((measured / expected - 1.0).abs() < 0.05, "{measured} is not {expected}");
+}
+
+#[test]
+fn the_default_errs_under_a_hundredth() {
+    let table = LightingTable::new(&lighting(), TableLayout::default()).expect("a legal size");
+    let error = table.factor_error(&lighting());
+    assert!(error.diffuse < 0.01 && error.specular < 0.01, "{error:?}");
+    assert!(error.specular > 1e-4, "a table of 64² is not exact: {error:?}");
+}
+
+#[test]
+fn the_papers_table_errs_as_known() {
+    let table = LightingTable::new(&lighting(), TableLayout::PAPER).expect("a legal size");
+    let error = table.factor_error(&lighting());
+    near(error.specular, 0.033);
+    // Pd = 1 has infinite slope at u = ±1: √(2h) / 4 for texels h apart.
+    near(error.diffuse, (2.0_f64 * 2.0 / 31.0).sqrt() / 4.0);
+}
+
+#[test]
+fn diffuse_wants_the_angle_and_specular_the_cosine() {
+    near(error(256, Axis::Cosine, Axis::Cosine).diffuse, 0.031);
+    near(error(256, Axis::Angle, Axis::Cosine).diffuse, 1.9e-5);
+    near(error(32, Axis::Angle, Axis::Cosine).specular, 0.033);
+    near(error(32, Axis::Angle, Axis::Angle).specular, 0.079);
+}
+
+#[test]
+fn the_colour_error_is_bounded_by_the_factors() {
+    let table = LightingTable::new(&lighting(), TableLayout::PAPER).expect("a legal size");
+    let (max, factors) = (table.max_error(&lighting()), table.factor_error(&lighting()));
+    let lighting = lighting();
+    assert!(max <= lighting.diffuse.x * factors.diffuse + lighting.specular.x * factors.specular + 1e-12);
+    assert!(max >= lighting.diffuse.x * factors.diffuse);
+    let mut seen = 0.0_f64;
+    for i in 0..=500 {
+        for j in 0..=500 {
+            let (u, v) = (f64::from(i) / 250.0 - 1.0, f64::from(j) / 250.0 - 1.0);
+            let (diffuse, specular) = table.look_up(u, v);
+            seen = seen.max((lighting.combine(diffuse, specular) - lighting.evaluate(u, v)).abs().max_element());
+        }
+    }
+    assert!(seen <= max && seen > 0.9 * max, "seen {seen}, stated {max}");
+}
+
+#[test]
+fn exact_at_texels_and_ends() {
+    for layout in [TableLayout::default(), TableLayout::PAPER] {
+        let table = LightingTable::new(&lighting(), layout).expect("a legal size");
+        for i in 0..layout.size {
+            let position = i as f64 / (layout.size - 1) as f64;
+            let (u, v) = (layout.u.cosine(position), layout.v.cosine(position));
+            let (diffuse, specular) = table.look_up(u, v);
+            assert!((diffuse - lighting().diffuse_factor(u)).abs() < 1e-6);
+            assert!((specular - lighting().specular_factor(v)).abs() < 1e-6);
+        }
+        for beyond in [-1.5, 1.5] {
+            assert_eq!(table.look_up(beyond, beyond), (0.0, 0.0));
+        }
+    }
+}
+
+#[test]
+fn the_texels_are_the_product_of_the_rows() {
+    let layout = TableLayout { size: 8, ..TableLayout::default() };
+    let table = LightingTable::new(&lighting(), layout).expect("a legal size");
+    let texels = table.texels();
+    assert_eq!(texels.len(), 64);
+    let (u, v) = (layout.u.cosine(5.0 / 7.0), layout.v.cosine(2.0 / 7.0));
+    let (diffuse, specular) = table.look_up(u, v);
+    assert!((f64::from(texels[2 * 8 + 5][0]) - diffuse).abs() < 1e-6 && (f64::from(texels[2 * 8 + 5][1]) - specular).abs() < 1e-6);
+}
+
+#[test]
+fn sizes_out_of_range_are_refused() {
+    for size in [0, 1, 4097, usize::MAX] {
+        assert_eq!(LightingTable::new(&lighting(), TableLayout { size, ..TableLayout::default() }), Err(TableError::Size { size }));
+    }
+}
+
+#[test]
+fn positions_and_cosines_are_inverse() {
+    for axis in [Axis::Cosine, Axis::Angle] {
+        for i in 0..=100 {
+            let cosine = f64::from(i) / 50.0 - 1.0;
+            assert!((axis.cosine(axis.position(cosine)) - cosine).abs() < 1e-12);
+        }
+    }
+}
