@@ -31,6 +31,11 @@ impl Camera {
         Self { eye: centre + distance * away, target: centre, up, field_of_view, near: (0.01 * distance).max(1e-6) }
     }
 
+    /// The unit direction from the target to the eye; what the paper's viewer at infinity looks along. Zero if they coincide.
+    pub fn toward_eye(&self) -> Vec3 {
+        (self.eye - self.target).normalize_or_zero()
+    }
+
     /// From coat coordinates to clip space, wgpu's depth range reversed: 1 at the near plane, 0 at infinity, which spreads `f32`'s steps evenly.
     pub fn view_projection(&self, aspect: f32) -> Mat4 {
         let view = glam::camera::rh::view::look_at_mat4(self.eye, self.target, self.up);

@@ -27,6 +27,14 @@ pub enum CoatError {
         /// How many there are.
         count: usize,
     },
+    /// An entry is less than the one before where they must not fall.
+    #[error("{array}[{at}] is less than the entry before it")]
+    Order {
+        /// The array.
+        array: &'static str,
+        /// Which entry.
+        at: usize,
+    },
     /// A number is NaN or infinite.
     #[error("{array}[{at}] is not finite")]
     NotFinite {
@@ -53,6 +61,27 @@ pub enum CoatError {
         /// Bytes there.
         length: usize,
     },
+    /// A level of a texture is not half of the one before, or there are more levels than halvings.
+    #[error(
+        "level {level} of the {texture} texture is {width} × {height}, but half of the level before, at least one texel, is {expected_width} × {expected_height}"
+    )]
+    MipChain {
+        /// Shell or fin.
+        texture: &'static str,
+        /// Level of detail.
+        level: usize,
+        /// Texels across.
+        width: u32,
+        /// Texels down.
+        height: u32,
+        /// Texels across that are needed.
+        expected_width: u32,
+        /// Texels down that are needed.
+        expected_height: u32,
+    },
+    /// The frame does not lead back to the model.
+    #[error("the frame's diameter must be finite and positive, and its centre finite")]
+    Frame,
     /// A texture without layers, levels or texels.
     #[error("the {0} texture is empty; give it at least one layer, level and texel")]
     EmptyTexture(&'static str),
@@ -64,6 +93,9 @@ impl Coat {
     /// # Errors
     /// The first thing found wrong.
     pub fn check(&self) -> Result<(), CoatError> {
+        if !(self.frame.centre.is_finite() && self.frame.diameter.is_finite() && self.frame.diameter > 0.0) {
+            return Err(CoatError::Frame);
+        }
         self.check_surface()?;
         self.check_patches()?;
         self.check_edges()?;
@@ -94,6 +126,9 @@ impl Coat {
         check_indices("patches.vertices", patches.vertices.iter().copied(), self.surface.positions.len())?;
         check_indices("patches.faces", patches.faces.iter().flatten().copied(), patches.vertices.len())?;
         check_indices("patches.patch_ends", patches.patch_ends.iter().copied(), patches.faces.len() + 1)?;
+        if let Some(at) = patches.patch_ends.windows(2).position(|ends| ends[1] < ends[0]) {
+            return Err(CoatError::Order { array: "patches.patch_ends", at: at + 1 });
+        }
         check_length("patches.faces", patches.faces.len(), patches.patch_ends.last().map_or(0, |&end| end as usize))
     }
 
@@ -131,12 +166,20 @@ fn check_texture(texture: &'static str, layers: u32, mips: &[MipImage]) -> Resul
     if layers == 0 || mips.is_empty() {
         return Err(CoatError::EmptyTexture(texture));
     }
+    let (mut expected_width, mut expected_height) = (mips[0].width, mips[0].height);
     for (level, mip) in mips.iter().enumerate() {
         let (width, height) = (mip.width, mip.height);
         if width == 0 || height == 0 {
             return Err(CoatError::EmptyTexture(texture));
         }
-        let (expected, length) = (4 * width as usize * height as usize * layers as usize, mip.texels.len());
+        // Past one texel there is nothing left to halve.
+        let spent = level > 0 && mips[level - 1].width == 1 && mips[level - 1].height == 1;
+        if spent || (width, height) != (expected_width, expected_height) {
+            return Err(CoatError::MipChain { texture, level, width, height, expected_width, expected_height });
+        }
+        (expected_width, expected_height) = ((width / 2).max(1), (height / 2).max(1));
+        let texels = (width as usize).saturating_mul(height as usize).saturating_mul(layers as usize);
+        let (expected, length) = (texels.saturating_mul(4), mip.texels.len());
         if length != expected {
             return Err(CoatError::Texture { texture, level, width, height, layers, expected, length });
         }

@@ -6,6 +6,46 @@
 //! # Convention
 //! Coordinates are the model's, moved and scaled so that the box around it is centred at the origin and its diagonal, the *diameter*,
 //! is 1 ([`Frame`]). Right-handed, y up. Faces wind anticlockwise seen from outside. Colours are linear light, Rec. 709 primaries.
+//!
+//! # Example
+//! One bare triangle, checked before it is drawn:
+//! ```
+//! use std::sync::Arc;
+//!
+//! use glam::{DVec3, Vec2, Vec3};
+//! use pelage_coat::{Coat, CoatError, FinEdges, Frame, MipImage, PatchMesh, ShellTexture, Surface};
+//!
+//! let surface = Surface {
+//!     positions: vec![Vec3::ZERO, Vec3::X, Vec3::Y],
+//!     normals: vec![Vec3::Z; 3],
+//!     offsets: vec![Vec3::ZERO; 3],
+//!     directions: vec![Vec3::Z; 3],
+//!     colours: vec![Vec3::ONE; 3],
+//! };
+//! let patches = PatchMesh {
+//!     vertices: vec![0, 1, 2],
+//!     coordinates: vec![Vec2::ZERO, Vec2::X, Vec2::Y],
+//!     faces: vec![[0, 1, 2]],
+//!     patch_ends: vec![1],
+//! };
+//! let skin = MipImage { width: 1, height: 1, texels: vec![180, 140, 120, 255] };
+//! let mut coat = Coat {
+//!     frame: Frame { centre: DVec3::ZERO, diameter: 1.0 },
+//!     surface,
+//!     patches,
+//!     edges: FinEdges::default(),
+//!     shells: Arc::new(ShellTexture { layers: 1, mips: vec![skin] }),
+//!     fin: None,
+//! };
+//! assert_eq!(coat.check(), Ok(()));
+//!
+//! coat.patches.faces[0][2] = 7;
+//! assert_eq!(coat.check(), Err(CoatError::Index { array: "patches.faces", at: 2, index: 7, count: 3 }));
+//! ```
+//!
+//! # Sources
+//! The arrays are what Lengyel, Praun, Finkelstein and Hoppe 2001 (*Real-time fur over arbitrary surfaces*) draw from: per vertex a colour and
+//! an offset *c_v* (section 3), lapped patches of one toroidal stack (2.1), a fin texture and its edges (2.2).
 
 mod camera;
 mod check;
@@ -95,16 +135,17 @@ pub struct Coat {
 }
 
 impl Coat {
-    /// The least and greatest corner of the box around skin and fur.
+    /// The least and greatest corner of the box around skin and fur; two zeros where there is no patch. Indices past the end are passed over.
     pub fn bounds(&self) -> (Vec3, Vec3) {
         let mut bounds = (Vec3::INFINITY, Vec3::NEG_INFINITY);
         for &vertex in &self.patches.vertices {
-            let (skin, offset) = (self.surface.positions[vertex as usize], self.surface.offsets[vertex as usize]);
+            let (skin, offset) = (self.surface.positions.get(vertex as usize), self.surface.offsets.get(vertex as usize));
+            let (Some(&skin), Some(&offset)) = (skin, offset) else { continue };
             for p in [skin, skin + offset] {
                 bounds = (bounds.0.min(p), bounds.1.max(p));
             }
         }
-        bounds
+        if bounds.0.x <= bounds.1.x { bounds } else { (Vec3::ZERO, Vec3::ZERO) }
     }
 
     /// How many bytes it holds, textures not counted twice where they are shared.

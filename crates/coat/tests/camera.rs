@@ -1,0 +1,56 @@
+//! What a camera sees lies where it should.
+
+use glam::{Vec3, Vec4, Vec4Swizzles};
+use pelage_coat::Camera;
+use proptest::prelude::*;
+
+fn project(camera: &Camera, aspect: f32, point: Vec3) -> Vec3 {
+    let clip: Vec4 = camera.view_projection(aspect) * point.extend(1.0);
+    clip.xyz() / clip.w
+}
+
+#[test]
+fn depth_runs_from_one_at_the_near_plane_to_zero_far_away() {
+    let camera = Camera { eye: Vec3::Z, target: Vec3::ZERO, up: Vec3::Y, field_of_view: 1.0, near: 0.25 };
+    assert!((project(&camera, 1.5, 0.75 * Vec3::Z).z - 1.0).abs() < 1e-6);
+    assert!(project(&camera, 1.5, -1e6 * Vec3::Z).z.abs() < 1e-6);
+}
+
+#[test]
+fn up_is_up_and_right_is_right() {
+    let camera = Camera::framing(Vec3::ZERO, 0.5, 0.0, 0.0, 0.6, 1.0, 1.0);
+    assert!(project(&camera, 1.0, 0.1 * Vec3::Y).y > 0.0);
+    assert!(project(&camera, 1.0, 0.1 * Vec3::X).x > 0.0);
+    assert!((camera.toward_eye() - Vec3::Z).length() < 1e-6);
+}
+
+#[test]
+fn azimuth_grows_anticlockwise_seen_from_above() {
+    let camera = Camera::framing(Vec3::ZERO, 0.5, std::f32::consts::FRAC_PI_2, 0.0, 0.6, 1.0, 1.0);
+    assert!((camera.toward_eye() - Vec3::X).length() < 1e-6);
+}
+
+proptest! {
+    #[test]
+    fn framing_shows_the_whole_ball(
+        azimuth in -7.0..7.0_f32, elevation in -1.57079..1.57079_f32, field_of_view in 0.1..2.0_f32, aspect in 0.3..3.0_f32,
+        a in 0.0..6.3_f32, b in -1.5..1.5_f32,
+    ) {
+        let (centre, radius) = (Vec3::new(0.3, -0.2, 0.1), 0.4);
+        let camera = Camera::framing(centre, radius, azimuth, elevation, field_of_view, aspect, 1.0);
+        let on_ball = centre + radius * Vec3::new(a.cos() * b.cos(), b.sin(), a.sin() * b.cos());
+        let seen = project(&camera, aspect, on_ball);
+        prop_assert!(seen.is_finite());
+        prop_assert!(seen.x.abs() <= 1.001 && seen.y.abs() <= 1.001 && (0.0..=1.0).contains(&seen.z), "{}", seen);
+    }
+
+    #[test]
+    fn straight_up_and_down_are_no_special_case(azimuth in -7.0..7.0_f32, down in any::<bool>()) {
+        let elevation = if down { -1.0 } else { 1.0 } * std::f32::consts::FRAC_PI_2;
+        let camera = Camera::framing(Vec3::ZERO, 0.5, azimuth, elevation, 0.6, 1.3, 1.1);
+        prop_assert!(camera.view_projection(1.3).is_finite());
+        let before = Camera::framing(Vec3::ZERO, 0.5, azimuth, elevation * 0.99, 0.6, 1.3, 1.1);
+        let (top, top_before) = (project(&camera, 1.3, Vec3::new(0.2, 0.0, 0.1)), project(&before, 1.3, Vec3::new(0.2, 0.0, 0.1)));
+        prop_assert!((top - top_before).length() < 0.1, "{} {}", top, top_before);
+    }
+}

@@ -1,0 +1,125 @@
+//! Coats whose arrays do not agree are named as such; those that do are let through.
+
+use std::sync::Arc;
+
+use glam::{DVec3, Vec2, Vec3};
+use pelage_coat::{Coat, CoatError, FinEdges, FinTexture, Frame, MipImage, PatchMesh, ShellTexture, Surface};
+use proptest::prelude::*;
+
+fn image(width: u32, height: u32, layers: u32) -> MipImage {
+    MipImage { width, height, texels: vec![0; 4 * (width * height * layers) as usize] }
+}
+
+fn coat() -> Coat {
+    Coat {
+        frame: Frame { centre: DVec3::new(1.0, 2.0, 3.0), diameter: 4.0 },
+        surface: Surface {
+            positions: vec![Vec3::ZERO, Vec3::X, Vec3::Y, Vec3::ONE],
+            normals: vec![Vec3::Z; 4],
+            offsets: vec![0.1 * Vec3::Z; 4],
+            directions: vec![Vec3::Z; 4],
+            colours: vec![Vec3::ONE; 4],
+        },
+        patches: PatchMesh {
+            vertices: vec![0, 1, 2, 2, 1, 3],
+            coordinates: vec![Vec2::ZERO; 6],
+            faces: vec![[0, 1, 2], [3, 4, 5]],
+            patch_ends: vec![1, 2],
+        },
+        edges: FinEdges { vertices: vec![[1, 2]], intervals: vec![[0.2, 0.4]], face_normals: vec![[Vec3::Z; 2]], curvatures: vec![0.5] },
+        shells: Arc::new(ShellTexture { layers: 3, mips: vec![image(4, 4, 3), image(2, 2, 3), image(1, 1, 3)] }),
+        fin: Some(Arc::new(FinTexture { tiles_across: 2.0, mips: vec![image(4, 2, 1), image(2, 1, 1), image(1, 1, 1)] })),
+    }
+}
+
+#[test]
+fn a_whole_coat_passes() {
+    assert_eq!(coat().check(), Ok(()));
+}
+
+#[test]
+fn an_empty_coat_passes() {
+    let empty = Coat { surface: Surface::default(), patches: PatchMesh::default(), edges: FinEdges::default(), fin: None, ..coat() };
+    assert_eq!(empty.check(), Ok(()));
+    assert_eq!(empty.bounds(), (Vec3::ZERO, Vec3::ZERO));
+}
+
+/// What is done to a coat, and what must be said of it.
+type Fault = (fn(&mut Coat), CoatError);
+
+#[test]
+fn every_fault_is_named() {
+    let faults: Vec<Fault> = vec![
+        (
+            |c| c.surface.normals.truncate(c.surface.normals.len() - 1),
+            CoatError::Length { array: "surface.normals", length: 3, expected: 4 },
+        ),
+        (
+            |c| c.surface.colours.truncate(c.surface.colours.len() - 1),
+            CoatError::Length { array: "surface.colours", length: 3, expected: 4 },
+        ),
+        (|c| c.surface.offsets[2].y = f32::NAN, CoatError::NotFinite { array: "surface.offsets", at: 2 }),
+        (|c| c.patches.vertices[1] = 4, CoatError::Index { array: "patches.vertices", at: 1, index: 4, count: 4 }),
+        (
+            |c| c.patches.coordinates.truncate(c.patches.coordinates.len() - 1),
+            CoatError::Length { array: "patches.coordinates", length: 5, expected: 6 },
+        ),
+        (|c| c.patches.coordinates[5].x = f32::INFINITY, CoatError::NotFinite { array: "patches.coordinates", at: 5 }),
+        (|c| c.patches.faces[1][1] = 6, CoatError::Index { array: "patches.faces", at: 4, index: 6, count: 6 }),
+        (|c| c.patches.patch_ends[1] = 1, CoatError::Length { array: "patches.faces", length: 2, expected: 1 }),
+        (|c| c.patches.patch_ends = vec![2, 1, 2], CoatError::Order { array: "patches.patch_ends", at: 1 }),
+        (|c| c.edges.vertices[0][1] = 9, CoatError::Index { array: "edges.vertices", at: 1, index: 9, count: 4 }),
+        (|c| c.edges.intervals.clear(), CoatError::Length { array: "edges.intervals", length: 0, expected: 1 }),
+        (|c| c.edges.face_normals[0][0].x = f32::NAN, CoatError::NotFinite { array: "edges.face_normals", at: 0 }),
+        (|c| c.edges.curvatures[0] = f32::NEG_INFINITY, CoatError::NotFinite { array: "edges.curvatures", at: 0 }),
+        (|c| c.frame.diameter = 0.0, CoatError::Frame),
+        (|c| c.frame.centre.z = f64::NAN, CoatError::Frame),
+        (|c| c.shells = Arc::new(ShellTexture { layers: 0, mips: vec![image(1, 1, 1)] }), CoatError::EmptyTexture("shell")),
+        (|c| c.shells = Arc::new(ShellTexture { layers: 1, mips: vec![] }), CoatError::EmptyTexture("shell")),
+        (|c| c.shells = Arc::new(ShellTexture { layers: 1, mips: vec![image(0, 4, 1)] }), CoatError::EmptyTexture("shell")),
+        (
+            |c| c.shells = Arc::new(ShellTexture { layers: 2, mips: vec![image(2, 2, 1)] }),
+            CoatError::Texture { texture: "shell", level: 0, width: 2, height: 2, layers: 2, expected: 32, length: 16 },
+        ),
+        (
+            |c| c.shells = Arc::new(ShellTexture { layers: 1, mips: vec![image(4, 4, 1), image(3, 2, 1)] }),
+            CoatError::MipChain { texture: "shell", level: 1, width: 3, height: 2, expected_width: 2, expected_height: 2 },
+        ),
+        (
+            |c| c.fin = Some(Arc::new(FinTexture { tiles_across: 1.0, mips: vec![image(1, 1, 1), image(1, 1, 1)] })),
+            CoatError::MipChain { texture: "fin", level: 1, width: 1, height: 1, expected_width: 1, expected_height: 1 },
+        ),
+    ];
+    for (spoil, expected) in faults {
+        let mut coat = coat();
+        spoil(&mut coat);
+        assert_eq!(coat.check(), Err(expected));
+    }
+}
+
+#[test]
+fn absurd_texture_sizes_do_not_overflow() {
+    let mut coat = coat();
+    coat.shells = Arc::new(ShellTexture { layers: u32::MAX, mips: vec![MipImage { width: u32::MAX, height: u32::MAX, texels: vec![] }] });
+    assert!(matches!(coat.check(), Err(CoatError::Texture { texture: "shell", length: 0, .. })));
+}
+
+#[test]
+fn bounds_hold_skin_and_fur() {
+    let (least, greatest) = coat().bounds();
+    assert_eq!((least, greatest), (Vec3::ZERO, Vec3::new(1.0, 1.0, 1.1)));
+}
+
+proptest! {
+    #[test]
+    fn nothing_panics(indices in prop::collection::vec(any::<u32>(), 0..9), values in prop::collection::vec(any::<f32>(), 0..9)) {
+        let mut coat = coat();
+        for (slot, &index) in coat.patches.vertices.iter_mut().zip(&indices) {
+            *slot = index;
+        }
+        for (slot, &value) in coat.surface.positions.iter_mut().zip(&values) {
+            slot.x = value;
+        }
+        let _ = (coat.check(), coat.bounds(), coat.byte_size());
+    }
+}
