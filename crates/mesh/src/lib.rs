@@ -9,7 +9,8 @@
 mod geometry;
 mod handles;
 mod topology;
+mod vector;
 
 pub use geometry::{Mesh, MeshError};
 pub use handles::{FaceId, HalfEdgeId, VertexId};
-pub use topology::{BrokenInvariant, Topology, TopologyError};
+pub use topology::{BrokenInvariant, Components, Topology, TopologyError};
