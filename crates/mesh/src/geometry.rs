@@ -4,7 +4,8 @@ use std::sync::Arc;
 
 use glam::{DVec2, DVec3};
 
-use crate::{FaceId, Topology, TopologyError, VertexId};
+use crate::vector::{angle, unit};
+use crate::{FaceId, HalfEdgeId, Topology, TopologyError, VertexId};
 
 /// A triangle mesh: a shared [`Topology`], a position for each vertex in the model's own units, and texture coordinates if it has them.
 #[derive(Clone, Debug, PartialEq)]
@@ -35,6 +36,14 @@ pub enum MeshError {
         coordinates: usize,
         /// Corners of the topology.
         corners: usize,
+    },
+    /// A texture coordinate is NaN or infinite.
+    #[error("corner {corner} of face {face} has texture coordinates that are not finite; mend them or leave all of them out")]
+    CoordinateNotFinite {
+        /// The face.
+        face: u32,
+        /// Which of its corners, 0 to 2.
+        corner: u32,
     },
     /// A position is NaN or infinite.
     #[error("vertex {vertex} is at {position}, which is no place; mend the position")]
@@ -72,11 +81,14 @@ impl Mesh {
     /// The same mesh with texture coordinates, one pair for each half-edge (the corner it starts at), u to the right and v up.
     ///
     /// # Errors
-    /// Where there is not one for each half-edge.
+    /// Where there is not one for each half-edge, or one is not finite.
     pub fn with_texture_coordinates(mut self, coordinates: Vec<DVec2>) -> Result<Self, MeshError> {
         let corners = self.topology.half_edge_count();
         if coordinates.len() != corners {
             return Err(MeshError::CoordinateCount { coordinates: coordinates.len(), corners });
+        }
+        if let Some(half_edge) = coordinates.iter().position(|c| !c.is_finite()) {
+            return Err(MeshError::CoordinateNotFinite { face: half_edge as u32 / 3, corner: half_edge as u32 % 3 });
         }
         self.texture_coordinates = Some(coordinates);
         Ok(self)
@@ -115,7 +127,7 @@ impl Mesh {
         (a + b + c) / 3.0
     }
 
-    /// Half the cross product of two sides: along the normal, as long as the face's area.
+    /// Half the cross product of two sides: along the normal, as long as the face's area. Sides of 1e-150 to 1e150 keep it in range.
     #[inline]
     pub fn face_area_vector(&self, face: FaceId) -> DVec3 {
         let [a, b, c] = self.face_positions(face);
@@ -127,9 +139,10 @@ impl Mesh {
         self.face_area_vector(face).length()
     }
 
-    /// The unit normal of a face; zero for a face without area.
+    /// The unit normal of a face; zero for a face without area. Right at any scale, also where the area itself leaves the range of `f64`.
     pub fn face_normal(&self, face: FaceId) -> DVec3 {
-        self.face_area_vector(face).normalize_or_zero()
+        let [a, b, c] = self.face_positions(face);
+        unit(unit(b - a).cross(unit(c - a)))
     }
 
     /// The unit normal at each vertex: the mean of its faces' normals weighted by their angle there (Thürmer and Wüthrich 1998),
@@ -138,16 +151,53 @@ impl Mesh {
         let mut normals = vec![DVec3::ZERO; self.positions.len()];
         for face in self.topology.faces() {
             let normal = self.face_normal(face);
-            let corners = self.topology.face_vertices(face);
-            for k in 0..3 {
-                let [here, next, previous] = [corners[k], corners[(k + 1) % 3], corners[(k + 2) % 3]].map(|v| self.position(v));
-                let angle = (next - here).angle_between(previous - here);
-                if angle.is_finite() {
-                    normals[corners[k].index()] += normal * angle;
-                }
+            for (corner, angle) in self.topology.face_vertices(face).into_iter().zip(self.corner_angles(face)) {
+                normals[corner.index()] += normal * angle;
             }
         }
-        normals.into_iter().map(DVec3::normalize_or_zero).collect()
+        normals.into_iter().map(unit).collect()
+    }
+
+    /// The angles of a face at its corners, in radians, 0 to π; they add up to π but for a face with a side of no length.
+    pub fn corner_angles(&self, face: FaceId) -> [f64; 3] {
+        let [a, b, c] = self.face_positions(face);
+        [angle(b - a, c - a), angle(c - b, a - b), angle(a - c, b - c)]
+    }
+
+    /// The vector from where a half-edge starts to where it ends.
+    #[inline]
+    pub fn edge_vector(&self, half_edge: HalfEdgeId) -> DVec3 {
+        self.position(self.topology.tip(half_edge)) - self.position(self.topology.origin(half_edge))
+    }
+
+    /// The length of a half-edge, in model units.
+    #[inline]
+    pub fn edge_length(&self, half_edge: HalfEdgeId) -> f64 {
+        self.edge_vector(half_edge).length()
+    }
+
+    /// The mean length of the edges, each counted once, in model units; 0 without edges.
+    pub fn mean_edge_length(&self) -> f64 {
+        let total: f64 = self.topology.edges().map(|h| self.edge_length(h)).sum();
+        total / self.topology.edge_count().max(1) as f64
+    }
+
+    /// The area of the surface, in square model units.
+    pub fn area(&self) -> f64 {
+        self.topology.faces().map(|face| self.face_area(face)).sum()
+    }
+
+    /// The volume under the faces, in cubic model units: that enclosed by a closed surface, negative where it is wound inwards.
+    ///
+    /// The sum of the signed tetrahedra between the faces and the box's centre. For a surface with boundary it depends on that centre and
+    /// means little.
+    pub fn signed_volume(&self) -> f64 {
+        let centre = self.bounds().map_or(DVec3::ZERO, |(low, high)| 0.5 * low + 0.5 * high);
+        let tetrahedron = |face| {
+            let [a, b, c] = self.face_positions(face).map(|p| p - centre);
+            a.dot(b.cross(c)) / 6.0
+        };
+        self.topology.faces().map(tetrahedron).sum()
     }
 
     /// The least and greatest corner of the box around the referenced vertices; `None` for a mesh without faces.
@@ -159,6 +209,15 @@ impl Mesh {
         })
     }
 
+    /// The same mesh with other positions, one for each vertex; texture coordinates and topology are kept.
+    ///
+    /// # Errors
+    /// Where their count differs, or a position is not finite.
+    pub fn with_positions(&self, positions: Vec<DVec3>) -> Result<Self, MeshError> {
+        let moved = Self::new(Arc::clone(&self.topology), positions)?;
+        Ok(Self { texture_coordinates: self.texture_coordinates.clone(), ..moved })
+    }
+
     /// The length of the diagonal of [`Mesh::bounds`], which the project calls the model's *diameter*; 0 without faces.
     pub fn diameter(&self) -> f64 {
         self.bounds().map_or(0.0, |(low, high)| low.distance(high))
@@ -168,6 +227,6 @@ impl Mesh {
     pub fn byte_size(&self) -> usize {
         let corners = self.topology.half_edge_count();
         let coordinates = self.texture_coordinates.as_ref().map_or(0, |c| c.len() * size_of::<DVec2>());
-        8 * corners + self.positions.len() * (4 + size_of::<DVec3>()) + coordinates
+        2 * size_of::<u32>() * corners + self.positions.len() * (4 + size_of::<DVec3>()) + coordinates
     }
 }
