@@ -1,0 +1,148 @@
+//! What turns the growing hairs: stiffness, gravity, wander, separation and clumping.
+
+use glam::DVec3;
+
+use crate::grow::Particles;
+use crate::noise::TileNoise;
+use crate::seed::{Purpose, mix};
+use crate::settings::GrowSettings;
+use crate::tile::Root;
+use crate::torus::{TorusGrid, shortest};
+use crate::traits::Traits;
+
+/// The smaller the number, the wider the shared wander: cells along a tile side.
+const SHARED_FREQUENCY: u32 = 4;
+/// How fast a heading steers to its lock, per length grown.
+const LOCK_RATE: f64 = 12.0;
+
+/// The forces of one simulation, with the grid through which particles feel each other.
+pub(crate) struct Forces<'a> {
+    settings: &'a GrowSettings,
+    traits: &'a [Traits],
+    length: f64,
+    reach: f64,
+    grid: TorusGrid,
+    shared: TileNoise,
+    own: TileNoise,
+    /// For each strand the guide particle of its lock.
+    locks: Vec<u32>,
+    pushes: Vec<DVec3>,
+}
+
+impl<'a> Forces<'a> {
+    pub(crate) fn new(settings: &'a GrowSettings, traits: &'a [Traits], roots: &[Root], length: f64) -> Self {
+        let count = roots.len();
+        // Hairs feel each other up to the mean distance of neighbours.
+        let reach = (1.0 / (count.max(1) as f64).sqrt()).min(0.5);
+        let seed = mix(settings.seed ^ Purpose::Noise as u64);
+        Self {
+            settings,
+            traits,
+            length,
+            reach,
+            grid: TorusGrid::new(reach, count),
+            shared: TileNoise::new(seed, SHARED_FREQUENCY),
+            own: TileNoise::new(mix(seed), 1),
+            locks: if settings.clump > 0.0 { nearest_locks(settings, roots) } else { Vec::new() },
+            pushes: vec![DVec3::ZERO; count],
+        }
+    }
+
+    /// Turns all headings over one step; every particle sees the others where they were when the step began.
+    pub(crate) fn turn(&mut self, particles: &mut Particles, step: usize) {
+        let steps = f64::from(self.settings.steps);
+        let time = step as f64 / steps;
+        if self.settings.separation > 0.0 {
+            self.grid.rebuild(particles.places.iter().map(|p| [p.x, p.y]));
+        }
+        for i in 0..particles.places.len() {
+            let mut push = DVec3::new(0.0, 0.0, -self.settings.gravity);
+            push += self.wander(i, particles.places[i], time);
+            push += self.separation(i, &particles.places);
+            push += self.clump(i, &particles.places, time);
+            self.pushes[i] = push;
+        }
+        let step_size = 1.0 / steps;
+        let stiffness = self.settings.stiffness;
+        for (i, push) in self.pushes.iter().enumerate() {
+            let old = particles.headings[i];
+            // Stiffness implicitly: bounded for any stiffness and step.
+            let turned = (old + (self.traits[i].heading * stiffness + *push) * step_size) / (1.0 + stiffness * step_size);
+            particles.headings[i] = keep_off_skin(turned, old, particles.places[i].z);
+        }
+    }
+
+    /// Half shared by neighbours, half the hair's own.
+    fn wander(&self, i: usize, place: DVec3, time: f64) -> DVec3 {
+        if self.settings.wander == 0.0 {
+            return DVec3::ZERO;
+        }
+        let [sx, sy] = self.shared.sideways(place.x, place.y, place.z);
+        let [ox, oy] = self.own.sideways(0.37, 0.71, self.traits[i].own_noise + 3.0 * time);
+        DVec3::new(sx + ox, sy + oy, 0.0) * (2.0 * self.settings.wander)
+    }
+
+    /// Sideways away from every nearer hair, falling linearly to nothing at the mean distance.
+    fn separation(&self, i: usize, places: &[DVec3]) -> DVec3 {
+        if self.settings.separation == 0.0 {
+            return DVec3::ZERO;
+        }
+        let from = places[i];
+        let mut push = DVec3::ZERO;
+        self.grid.around([from.x, from.y], |j| {
+            let away = DVec3::new(shortest(from.x - places[j].x), shortest(from.y - places[j].y), from.z - places[j].z);
+            let distance = away.length();
+            if j != i && distance < self.reach && distance > 0.0 {
+                push += DVec3::new(away.x, away.y, 0.0) * ((1.0 - distance / self.reach) / distance);
+            }
+        });
+        push * self.settings.separation
+    }
+
+    /// Steers to where the lock's guide is now, more and more urgently, so that the tip arrives.
+    fn clump(&self, i: usize, places: &[DVec3], time: f64) -> DVec3 {
+        let Some(&lock) = self.locks.get(i) else { return DVec3::ZERO };
+        let to = places[lock as usize] - places[i];
+        let sideways = DVec3::new(shortest(to.x), shortest(to.y), 0.0);
+        let left = self.length * self.traits[i].length * (1.1 - time);
+        // The down is too fine to gather as its guards do.
+        let strength = if self.traits[i].undercoat { 0.4 } else { 1.0 } * self.settings.clump * LOCK_RATE;
+        (sideways / left.max(1e-9)).clamp_length_max(2.0) * strength
+    }
+}
+
+/// The first roots stand evenly (see `roots`), so as many of them as locks fit are the locks' guides.
+fn nearest_locks(settings: &GrowSettings, roots: &[Root]) -> Vec<u32> {
+    let wanted = (1.0 / (settings.clump_size * settings.clump_size)).ceil() as usize;
+    let guides = wanted.min(roots.len()).max(1);
+    let place = |root: &Root| root.fraction.map(f64::from);
+    // Dart throwing keeps the nearest guide within about 1.5 lock widths; the search doubles where given roots do not.
+    let mut radius = 1.5 * settings.clump_size.max((1.0 / guides as f64).sqrt());
+    let mut locks = vec![u32::MAX; roots.len()];
+    while locks.contains(&u32::MAX) {
+        let whole = radius >= 0.75;
+        let mut grid = TorusGrid::new(if whole { 1.0 } else { radius }, guides);
+        grid.rebuild(roots.iter().take(guides).map(place));
+        for (lock, root) in locks.iter_mut().zip(roots).filter(|(lock, _)| **lock == u32::MAX) {
+            let from = place(root);
+            let mut best = if whole { f64::INFINITY } else { radius * radius };
+            grid.around(from, |j| {
+                let to = place(&roots[j]);
+                let d = [shortest(to[0] - from[0]), shortest(to[1] - from[1])];
+                let distance = d[0] * d[0] + d[1] * d[1];
+                if distance < best || (distance == best && (j as u32) < *lock) {
+                    best = distance;
+                    *lock = j as u32;
+                }
+            });
+        }
+        radius *= 2.0;
+    }
+    locks
+}
+
+/// A unit heading that does not go through the skin.
+fn keep_off_skin(turned: DVec3, old: DVec3, z: f64) -> DVec3 {
+    let heading = turned.try_normalize().unwrap_or(old);
+    if z <= 0.0 && heading.z < 0.05 { DVec3::new(heading.x, heading.y, 0.05).try_normalize().unwrap_or(DVec3::Z) } else { heading }
+}

@@ -1,0 +1,172 @@
+//! The particle simulation: hairs grow together, one particle each (L7).
+
+use glam::DVec3;
+use libm::{asin, cos, pow, sin};
+use std::f64::consts::{FRAC_2_PI, TAU};
+
+use crate::error::StrandError;
+use crate::forces::Forces;
+use crate::roots::scatter;
+use crate::seed::Purpose;
+use crate::settings::{GrowSettings, Style};
+use crate::tile::{Root, StrandTile};
+use crate::traits::{Traits, draw};
+
+/// Growths at most until the tallest hair is as high as asked.
+const FITS: u32 = 5;
+/// How near to the asked height is near enough.
+const FIT_TOLERANCE: f64 = 2e-3;
+
+/// Grows a tile of hair from blue-noise roots.
+///
+/// Zero strands are an empty tile of the asked height: bald skin, not an error.
+///
+/// # Errors
+/// A setting outside its range, or more strands or points than a tile holds.
+pub fn grow(settings: &GrowSettings) -> Result<StrandTile, StrandError> {
+    settings.validate()?;
+    let mut roots = scatter(settings.seed, Purpose::Roots, settings.count);
+    roots.extend(scatter(settings.seed, Purpose::UndercoatRoots, settings.undercoat.count));
+    Ok(Growth::new(settings, &roots).fitted())
+}
+
+/// Grows one hair from each given root; `count` and `undercoat.count` must add up to their number, guard hairs first.
+///
+/// # Errors
+/// As [`grow`], and [`StrandError::OutOfRange`] where the numbers differ or a root's fraction is not in [0, 1).
+pub fn grow_at(settings: &GrowSettings, roots: &[Root]) -> Result<StrandTile, StrandError> {
+    settings.validate()?;
+    let wanted = settings.strand_count() as f64;
+    if roots.len() as u64 != settings.strand_count() {
+        return Err(StrandError::OutOfRange { name: "roots", value: roots.len() as f64, low: wanted, high: wanted, unit: "roots" });
+    }
+    let outside = roots.iter().flat_map(|root| root.fraction).find(|c| !(0.0..1.0).contains(c));
+    if let Some(value) = outside {
+        return Err(StrandError::OutOfRange { name: "root fraction", value: f64::from(value), low: 0.0, high: 1.0, unit: "tile sides" });
+    }
+    Ok(Growth::new(settings, roots).fitted())
+}
+
+/// Where all particles are at one time; structure of arrays.
+pub(crate) struct Particles {
+    /// The way of growth that the wave or helix winds about, tile sides, unwrapped.
+    pub(crate) guides: Vec<DVec3>,
+    /// The hair itself.
+    pub(crate) places: Vec<DVec3>,
+    /// Unit vectors: which way each guide grows.
+    pub(crate) headings: Vec<DVec3>,
+    /// Unit vectors across the headings, carried along without twist.
+    pub(crate) sides: Vec<DVec3>,
+}
+
+struct Growth<'a> {
+    settings: &'a GrowSettings,
+    roots: &'a [Root],
+    traits: Vec<Traits>,
+}
+
+impl<'a> Growth<'a> {
+    fn new(settings: &'a GrowSettings, roots: &'a [Root]) -> Self {
+        let traits = roots.iter().enumerate().map(|(index, &root)| draw(settings, index, root)).collect();
+        Self { settings, roots, traits }
+    }
+
+    /// Forces bend hair down, so the length that reaches the asked height is found by growing again.
+    fn fitted(&self) -> StrandTile {
+        let lean = self.settings.lean.to_radians();
+        let mut length = self.settings.height / cos(lean);
+        let mut tile = self.run(length);
+        for _ in 1..FITS {
+            let ratio = self.settings.height / tile.height.max(1e-12);
+            if (ratio - 1.0).abs() < FIT_TOLERANCE {
+                break;
+            }
+            length *= ratio.clamp(0.25, 4.0);
+            tile = self.run(length);
+        }
+        tile
+    }
+
+    /// One simulation from roots to tips; `length` is that of the longest hair's guide.
+    fn run(&self, length: f64) -> StrandTile {
+        let steps = self.settings.steps as usize;
+        let count = self.roots.len();
+        let mut particles = self.at_the_roots();
+        let mut forces = Forces::new(self.settings, &self.traits, self.roots, length);
+        // Time after time, as the simulation goes; strand after strand is made of it below.
+        let mut trail = Vec::with_capacity(count * (steps + 1));
+        trail.extend_from_slice(&particles.places);
+        for step in 0..steps {
+            forces.turn(&mut particles, step);
+            self.advance(&mut particles, length, step);
+            trail.extend_from_slice(&particles.places);
+        }
+        self.record(&trail)
+    }
+
+    fn at_the_roots(&self) -> Particles {
+        let places: Vec<DVec3> = self.roots.iter().map(|r| DVec3::new(f64::from(r.fraction[0]), f64::from(r.fraction[1]), 0.0)).collect();
+        Particles {
+            guides: places.clone(),
+            places,
+            headings: self.traits.iter().map(|t| t.heading).collect(),
+            sides: self.traits.iter().map(|t| t.side).collect(),
+        }
+    }
+
+    /// Moves every particle one step along its heading and around its guide.
+    fn advance(&self, particles: &mut Particles, length: f64, step: usize) {
+        let steps = f64::from(self.settings.steps);
+        let time = (step + 1) as f64 / steps;
+        for (i, traits) in self.traits.iter().enumerate() {
+            let heading = particles.headings[i];
+            let guide = particles.guides[i] + heading * (length * traits.length / steps);
+            let side = particles.sides[i];
+            let side = (side - heading * side.dot(heading)).try_normalize().unwrap_or(side);
+            let place = guide + shape(self.settings.style, traits, heading, side, time);
+            particles.sides[i] = side;
+            particles.guides[i] = DVec3::new(guide.x, guide.y, guide.z.max(0.0));
+            particles.places[i] = DVec3::new(place.x, place.y, place.z.max(0.0));
+        }
+    }
+
+    /// Turns the trail, time by time, into strands.
+    fn record(&self, trail: &[DVec3]) -> StrandTile {
+        let count = self.roots.len();
+        let steps = self.settings.steps as usize;
+        let highest = trail.iter().fold(0.0f64, |top, p| top.max(p.z));
+        let mut tile = StrandTile::empty(if count == 0 { self.settings.height } else { f64::from(highest as f32) });
+        for (i, traits) in self.traits.iter().enumerate() {
+            let points = (0..=steps).map(|step| trail[step * count + i].as_vec3().to_array());
+            let radii = (0..=steps).map(|step| (traits.radius * self.taper(step as f64 / steps as f64)) as f32);
+            tile.push(self.roots[i].cell, points, radii, traits.root_colour, traits.tip_colour);
+        }
+        tile
+    }
+
+    /// Radius over that at the root (K6).
+    fn taper(&self, along: f64) -> f64 {
+        let tip = self.settings.tip_thickness;
+        tip + (1.0 - tip) * (1.0 - pow(along, self.settings.taper))
+    }
+}
+
+/// Where the hair is beside its guide at a time in [0, 1]; zero at the root.
+fn shape(style: Style, traits: &Traits, heading: DVec3, side: DVec3, time: f64) -> DVec3 {
+    let turned = |periods: f64| traits.phase + TAU * periods * time;
+    match style {
+        Style::Straight => DVec3::ZERO,
+        Style::Wavy { amplitude, waves } => side * (amplitude * (sin(turned(waves)) - sin(traits.phase))),
+        Style::Zigzag { amplitude, waves } => side * (amplitude * (triangle(turned(waves)) - triangle(traits.phase))),
+        Style::Curly { radius, turns } => {
+            let other = heading.cross(side) * traits.hand;
+            let angle = turned(turns);
+            (side * (cos(angle) - cos(traits.phase)) + other * (sin(angle) - sin(traits.phase))) * radius
+        }
+    }
+}
+
+/// The triangle wave that meets the sine at its zeros and peaks.
+fn triangle(angle: f64) -> f64 {
+    FRAC_2_PI * asin(sin(angle).clamp(-1.0, 1.0))
+}

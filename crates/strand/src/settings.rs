@@ -1,0 +1,202 @@
+//! What the hair shall be like.
+
+use crate::error::StrandError;
+
+/// Most strands in a tile, guard hairs and undercoat together.
+pub const MAX_STRANDS: u64 = 1 << 20;
+/// Most points in a tile (16 bytes each: 512 MiB).
+pub const MAX_POINTS: u64 = 1 << 25;
+
+/// The shape that every hair follows around the way it grows (K7).
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Style {
+    /// No shape of its own.
+    Straight,
+    /// A sine to one side and back.
+    Wavy {
+        /// How far to either side, in tile sides: 0 to 1.
+        amplitude: f64,
+        /// Periods from root to tip: 0 to 64.
+        waves: f64,
+    },
+    /// A helix, half of the hairs each way round.
+    Curly {
+        /// Of the helix, in tile sides: 0 to 1.
+        radius: f64,
+        /// From root to tip: 0 to 64.
+        turns: f64,
+    },
+    /// A triangle wave: straight runs and sharp bends.
+    Zigzag {
+        /// How far to either side, in tile sides: 0 to 1.
+        amplitude: f64,
+        /// Periods from root to tip: 0 to 64.
+        waves: f64,
+    },
+}
+
+/// The second, shorter population: down between the guard hairs. Deep layers become dense by it, upper ones stay open.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Undercoat {
+    /// Strands in a tile; 0 leaves the undercoat out. Cost is linear in it.
+    pub count: u32,
+    /// Height of the longest, as a fraction of the guard hairs' height: 0.05 to 1.
+    pub length: f64,
+    /// Radius at the root, as a fraction of the guard hairs': 0.05 to 4.
+    pub thickness: f64,
+    /// Linear RGB, each 0 to 1; the root is darker by the same ratio as the guard hairs' root.
+    pub colour: [f32; 3],
+}
+
+/// Everything [`crate::grow`] needs. Lengths are in tile sides, angles in degrees, colours linear RGB.
+///
+/// The default is a soft, dense rabbit's coat for a tile of about a tenth of the model's diameter.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct GrowSettings {
+    /// Guard hairs in a tile: some 100 is sparse, 1000 dense at the default thickness; up to [`MAX_STRANDS`]. Cost is linear in it.
+    pub count: u32,
+    /// Height that the longest hair reaches, in tile sides: 0.001 to 8.
+    pub height: f64,
+    /// How much shorter hairs may be: the shortest is 1 − this of the longest, most are near the longest. 0 to 0.95.
+    pub length_variation: f64,
+    /// Radius at the root, in tile sides: 1e-6 to 0.25.
+    pub thickness: f64,
+    /// Radius at the tip as a fraction of that at the root: 0 to 1.
+    pub tip_thickness: f64,
+    /// How late the hair tapers: 1 is a cone, larger keeps its thickness longer. 0.1 to 10.
+    pub taper: f64,
+    /// Shape around the way of growth.
+    pub style: Style,
+    /// Angle from upright towards +t that the hair grows at, in degrees: 0 to 75.
+    pub lean: f64,
+    /// How much each hair's own heading differs from the lean, in degrees: 0 to 60.
+    pub splay: f64,
+    /// Pull back to the heading, per length grown: 0 (free) to 100 (stiff).
+    pub stiffness: f64,
+    /// Pull towards the skin, per length grown: 0 to 20. Tips lie lower than roots by it.
+    pub gravity: f64,
+    /// Smooth random sideways push, half of it shared by neighbours: 0 to 20.
+    pub wander: f64,
+    /// How strongly hairs keep clear of each other: 0 to 20.
+    pub separation: f64,
+    /// How far tips gather to the lock's middle: 0 (none) to 1 (points).
+    pub clump: f64,
+    /// Width of a lock, in tile sides: 0.01 to 1.
+    pub clump_size: f64,
+    /// Linear RGB at the root, each 0 to 1.
+    pub root_colour: [f32; 3],
+    /// Linear RGB at the tip, each 0 to 1.
+    pub tip_colour: [f32; 3],
+    /// Brightness differs by up to this fraction from hair to hair, constant along a hair (K9): 0 to 1.
+    pub colour_variation: f64,
+    /// The down between the guard hairs.
+    pub undercoat: Undercoat,
+    /// Time steps of the simulation and segments of a strand: 1 to 512. Cost is linear in it; below about 8 for each turn curls show corners.
+    pub steps: u32,
+    /// Of everything random.
+    pub seed: u64,
+}
+
+impl Default for Undercoat {
+    fn default() -> Self {
+        Self { count: 3200, length: 0.55, thickness: 0.7, colour: [0.30, 0.245, 0.19] }
+    }
+}
+
+impl Default for GrowSettings {
+    fn default() -> Self {
+        Self {
+            count: 1100,
+            height: 0.35,
+            length_variation: 0.45,
+            thickness: 0.0105,
+            tip_thickness: 0.15,
+            taper: 1.6,
+            style: Style::Wavy { amplitude: 0.008, waves: 1.2 },
+            lean: 22.0,
+            splay: 9.0,
+            stiffness: 3.0,
+            gravity: 0.5,
+            wander: 0.8,
+            separation: 0.6,
+            clump: 0.25,
+            clump_size: 0.12,
+            root_colour: [0.16, 0.115, 0.08],
+            tip_colour: [0.50, 0.41, 0.32],
+            colour_variation: 0.3,
+            undercoat: Undercoat::default(),
+            steps: 24,
+            seed: 1,
+        }
+    }
+}
+
+impl GrowSettings {
+    /// Guard hairs and undercoat together.
+    pub fn strand_count(&self) -> u64 {
+        u64::from(self.count) + u64::from(self.undercoat.count)
+    }
+
+    /// Says what is wrong first, if anything is.
+    ///
+    /// # Errors
+    /// A value outside the range that its field states, or more strands or points than a tile holds.
+    pub fn validate(&self) -> Result<(), StrandError> {
+        let sides = "tile sides";
+        let of_one = "of 1";
+        within("height", self.height, 1e-3, 8.0, sides)?;
+        within("length_variation", self.length_variation, 0.0, 0.95, of_one)?;
+        within("thickness", self.thickness, 1e-6, 0.25, sides)?;
+        within("tip_thickness", self.tip_thickness, 0.0, 1.0, of_one)?;
+        within("taper", self.taper, 0.1, 10.0, "(exponent)")?;
+        within("lean", self.lean, 0.0, 75.0, "degrees")?;
+        within("splay", self.splay, 0.0, 60.0, "degrees")?;
+        within("stiffness", self.stiffness, 0.0, 100.0, "per length")?;
+        within("gravity", self.gravity, 0.0, 20.0, "per length")?;
+        within("wander", self.wander, 0.0, 20.0, "per length")?;
+        within("separation", self.separation, 0.0, 20.0, "per length")?;
+        within("clump", self.clump, 0.0, 1.0, of_one)?;
+        within("clump_size", self.clump_size, 0.01, 1.0, sides)?;
+        within("colour_variation", self.colour_variation, 0.0, 1.0, of_one)?;
+        within("undercoat.length", self.undercoat.length, 0.05, 1.0, "of the guard hairs'")?;
+        within("undercoat.thickness", self.undercoat.thickness, 0.05, 4.0, "of the guard hairs'")?;
+        for (name, colour) in
+            [("root_colour", self.root_colour), ("tip_colour", self.tip_colour), ("undercoat.colour", self.undercoat.colour)]
+        {
+            colour.iter().try_for_each(|&c| within(name, f64::from(c), 0.0, 1.0, "(linear light)"))?;
+        }
+        within("steps", f64::from(self.steps), 1.0, 512.0, "steps")?;
+        self.style.validate()?;
+        self.validate_size()
+    }
+
+    fn validate_size(&self) -> Result<(), StrandError> {
+        let asked = self.strand_count();
+        if asked > MAX_STRANDS {
+            return Err(StrandError::TooManyStrands { asked, limit: MAX_STRANDS });
+        }
+        let asked = asked * (u64::from(self.steps) + 1);
+        if asked > MAX_POINTS {
+            return Err(StrandError::TooManyPoints { asked, limit: MAX_POINTS });
+        }
+        Ok(())
+    }
+}
+
+impl Style {
+    fn validate(&self) -> Result<(), StrandError> {
+        let (names, reach, periods) = match *self {
+            Self::Straight => return Ok(()),
+            Self::Wavy { amplitude, waves } => (["style.amplitude", "style.waves"], amplitude, waves),
+            Self::Curly { radius, turns } => (["style.radius", "style.turns"], radius, turns),
+            Self::Zigzag { amplitude, waves } => (["style.amplitude", "style.waves"], amplitude, waves),
+        };
+        within(names[0], reach, 0.0, 1.0, "tile sides")?;
+        within(names[1], periods, 0.0, 64.0, "periods")
+    }
+}
+
+/// Refuses NaN too, as no comparison with it holds.
+fn within(name: &'static str, value: f64, low: f64, high: f64, unit: &'static str) -> Result<(), StrandError> {
+    if value >= low && value <= high { Ok(()) } else { Err(StrandError::OutOfRange { name, value, low, high, unit }) }
+}
