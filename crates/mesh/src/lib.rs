@@ -8,9 +8,15 @@
 
 mod geometry;
 mod handles;
+mod obj;
+mod primitives;
+mod summary;
 mod topology;
 mod vector;
 
 pub use geometry::{Mesh, MeshError};
 pub use handles::{FaceId, HalfEdgeId, VertexId};
+pub use obj::{ObjError, ObjFault, parse_obj, read_obj};
+pub use primitives::{MOST_PRIMITIVE_FACES, PrimitiveError, plane, rounded_die, sphere, torus};
+pub use summary::Summary;
 pub use topology::{BrokenInvariant, Components, Topology, TopologyError};

@@ -1,0 +1,22 @@
+//! Describes an OBJ file, or a torus if none is given:
+//! `cargo run -p pelage-mesh --example describe -- model.obj`
+#![allow(clippy::print_stdout, reason = "the example's output")]
+
+use std::error::Error;
+use std::path::Path;
+
+use pelage_mesh::{Summary, read_obj, torus};
+
+fn main() -> Result<(), Box<dyn Error>> {
+    let mesh = match std::env::args_os().nth(1) {
+        Some(path) => read_obj(Path::new(&path))?,
+        None => torus(1.0, 0.4, 48, 24)?,
+    };
+    let summary = Summary::of(&mesh);
+    println!("{summary:#?}");
+    println!("closed: {}; texture coordinates: {}", summary.is_closed(), mesh.texture_coordinates().is_some());
+    for (number, walk) in mesh.topology().boundary_loops().iter().enumerate() {
+        println!("boundary loop {number}: {} edges", walk.len());
+    }
+    Ok(())
+}

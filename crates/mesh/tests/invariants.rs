@@ -1,0 +1,170 @@
+//! What holds of every topology, however its faces and vertices are numbered.
+
+use glam::DVec3;
+use pelage_mesh::{HalfEdgeId, Mesh, Summary, Topology, TopologyError, plane, rounded_die, sphere, torus};
+use proptest::prelude::*;
+
+/// One of several surfaces: closed, with a handle, with boundary.
+fn surface() -> impl Strategy<Value = Mesh> {
+    prop_oneof![
+        (1..8_u32).prop_map(|n| sphere(1.0, n).unwrap()),
+        (3..12_u32, 3..12_u32).prop_map(|(m, n)| torus(1.0, 0.5, m, n).unwrap()),
+        (1..8_u32, 1..8_u32).prop_map(|(m, n)| plane(1.0, 2.0, m, n).unwrap()),
+        (3..8_u32).prop_map(|n| rounded_die(1.0, 0.4, n).unwrap()),
+    ]
+}
+
+/// The same surface with faces in another order, corners turned and vertices renumbered.
+fn shuffled() -> impl Strategy<Value = (Mesh, Mesh)> {
+    surface().prop_flat_map(|mesh| {
+        let topology = mesh.topology();
+        let faces = Just(topology.triangles().collect::<Vec<_>>()).prop_shuffle();
+        let names = Just((0..topology.vertex_count() as u32).collect::<Vec<_>>()).prop_shuffle();
+        let turns = prop::collection::vec(0..3_usize, topology.face_count());
+        (Just(mesh), faces, names, turns).prop_map(|(mesh, faces, names, turns)| {
+            let renamed = |(face, turn): (&[u32; 3], &usize)| {
+                let mut face = face.map(|v| names[v as usize]);
+                face.rotate_left(*turn);
+                face
+            };
+            let triangles: Vec<_> = faces.iter().zip(&turns).map(renamed).collect();
+            let mut positions = vec![DVec3::ZERO; names.len()];
+            for (old, &new) in names.iter().enumerate() {
+                positions[new as usize] = mesh.positions()[old];
+            }
+            (mesh, Mesh::from_triangles(positions, &triangles).unwrap())
+        })
+    })
+}
+
+/// The surface less some of its faces, which may tear vertices.
+fn with_faces_removed() -> impl Strategy<Value = (usize, Vec<[u32; 3]>)> {
+    (surface(), prop::collection::vec(any::<bool>(), 1..400)).prop_map(|(mesh, keep)| {
+        let kept = mesh.topology().triangles().zip(keep.iter().cycle()).filter(|(_, keep)| **keep).map(|(face, _)| face);
+        (mesh.topology().vertex_count(), kept.collect())
+    })
+}
+
+/// Whether each vertex's faces hang together through edges at that vertex: by brute force.
+fn each_vertex_has_one_fan(vertex_count: usize, faces: &[[u32; 3]]) -> bool {
+    (0..vertex_count as u32).all(|vertex| {
+        let around: Vec<_> = faces.iter().filter(|face| face.contains(&vertex)).collect();
+        let mut reached: Vec<_> = around.iter().take(1).collect();
+        loop {
+            let touches = |face: &&&&[u32; 3]| reached.iter().any(|known| known.iter().filter(|v| face.contains(v)).count() == 2);
+            let Some(next) = around.iter().find(|face| !reached.contains(face) && touches(&face)) else { break };
+            reached.push(next);
+        }
+        reached.len() == around.len()
+    })
+}
+
+fn integers(summary: &Summary) -> [i64; 8] {
+    let s = summary;
+    let counts = [s.vertices, s.unreferenced_vertices, s.edges, s.faces, s.boundary_loops, s.components, s.genus];
+    let [a, b, c, d, e, f, g] = counts.map(|count| count as i64);
+    [a, b, c, d, e, f, g, s.euler_characteristic]
+}
+
+proptest! {
+    #[test]
+    fn numbering_changes_no_count_and_no_measure((mesh, other) in shuffled()) {
+        prop_assert_eq!(other.topology().check(), Ok(()));
+        let (a, b) = (Summary::of(&mesh), Summary::of(&other));
+        prop_assert_eq!(integers(&a), integers(&b));
+        for (x, y) in [(a.area, b.area), (a.diameter, b.diameter), (a.mean_edge_length, b.mean_edge_length)] {
+            prop_assert!((x - y).abs() <= 1e-12 * x);
+        }
+    }
+
+    #[test]
+    fn rings_agree_with_a_search_through_all_faces((_, mesh) in shuffled()) {
+        let topology = mesh.topology();
+        for vertex in topology.vertices() {
+            let mut ring: Vec<_> = topology.vertex_neighbours(vertex).collect();
+            let mut expected: Vec<_> = topology.half_edges()
+                .flat_map(|h| [(topology.origin(h), topology.tip(h)), (topology.tip(h), topology.origin(h))])
+                .filter(|ends| ends.0 == vertex).map(|ends| ends.1).collect();
+            ring.sort();
+            expected.sort();
+            expected.dedup();
+            prop_assert_eq!(&ring, &expected);
+            let on_boundary = topology.half_edges().any(|h| topology.twin(h).is_none() && (topology.origin(h) == vertex || topology.tip(h) == vertex));
+            prop_assert_eq!(topology.is_boundary_vertex(vertex), on_boundary);
+            let steps: Vec<HalfEdgeId> = topology.leaving(vertex).collect();
+            prop_assert!(steps.windows(2).all(|pair| topology.rotate_left(pair[0]) == Some(pair[1])));
+        }
+    }
+
+    #[test]
+    fn open_surfaces_are_accepted_exactly_if_no_vertex_is_torn((vertex_count, faces) in with_faces_removed()) {
+        match Topology::from_triangles(vertex_count, &faces) {
+            Ok(topology) => {
+                prop_assert!(each_vertex_has_one_fan(vertex_count, &faces));
+                prop_assert_eq!(topology.check(), Ok(()));
+                let loops = topology.boundary_loops();
+                prop_assert_eq!(loops.iter().map(Vec::len).sum::<usize>(), topology.boundary_edge_count());
+                for walk in loops {
+                    for k in 0..walk.len() {
+                        prop_assert_eq!(topology.tip(walk[k]), topology.origin(walk[(k + 1) % walk.len()]));
+                        prop_assert!(topology.twin(walk[k]).is_none());
+                    }
+                }
+                let pieces = topology.components();
+                prop_assert_eq!(pieces.face_counts().iter().sum::<usize>(), topology.face_count());
+                prop_assert!(topology.edges().all(|h| topology.twin(h).is_none_or(|g| pieces.of_face(h.face()) == pieces.of_face(g.face()))));
+                let even = 2 * pieces.count() as i64 - topology.boundary_loops().len() as i64 - topology.euler_characteristic();
+                prop_assert!(even >= 0 && even % 2 == 0);
+            }
+            Err(TopologyError::NonManifoldVertex { .. }) => prop_assert!(!each_vertex_has_one_fan(vertex_count, &faces)),
+            Err(other) => prop_assert!(false, "{}", other),
+        }
+    }
+
+    #[test]
+    fn any_list_of_indices_gives_a_sound_topology_or_an_error(faces in prop::collection::vec([0..9_u32, 0..9_u32, 0..9_u32], 0..20)) {
+        if let Ok(topology) = Topology::from_triangles(8, &faces) {
+            prop_assert_eq!(topology.check(), Ok(()));
+            prop_assert_eq!(topology.triangles().collect::<Vec<_>>(), faces);
+        }
+    }
+}
+
+#[test]
+fn faults_name_the_faces() {
+    let error = |faces: &[[u32; 3]]| Topology::from_triangles(6, faces).unwrap_err();
+    assert_eq!(error(&[[0, 1, 6]]), TopologyError::VertexOutOfRange { face: 0, vertex: 6, vertex_count: 6 });
+    for face in [[3, 3, 1], [3, 1, 3], [1, 3, 3]] {
+        assert_eq!(error(&[[0, 1, 2], face]), TopologyError::DegenerateFace { face: 1, vertex: 3 });
+    }
+    assert_eq!(error(&[[0, 1, 2], [3, 0, 1]]), TopologyError::EdgeUsedTwice { first: 0, second: 1, from: 0, to: 1 });
+    let page = |k| [0, 1, k];
+    assert!(matches!(error(&[page(2), [1, 0, 3], page(4)]), TopologyError::EdgeUsedTwice { first: 0, second: 2, .. }));
+    assert_eq!(error(&[[0, 1, 2], [2, 3, 4]]), TopologyError::NonManifoldVertex { vertex: 2 });
+    let strip = [[0, 1, 2], [2, 1, 3], [2, 3, 4], [4, 3, 5], [4, 5, 1], [1, 5, 0]];
+    assert!(matches!(error(&strip), TopologyError::NotOrientable { .. }));
+    assert!(matches!(Topology::from_triangles(1 << 31, &[]), Err(TopologyError::TooManyVertices { .. })));
+}
+
+#[test]
+fn no_faces_make_an_empty_surface() {
+    let mesh = Mesh::from_triangles(vec![DVec3::ZERO; 3], &[]).unwrap();
+    let summary = Summary::of(&mesh);
+    assert_eq!((summary.faces, summary.vertices, summary.unreferenced_vertices, summary.components), (0, 0, 3, 0));
+    assert_eq!((summary.diameter, summary.mean_edge_length, summary.area), (0.0, 0.0, 0.0));
+    assert!(!summary.is_closed());
+}
+
+#[test]
+fn slivers_have_normals_and_angles() {
+    for height in [1e-2, 1e-8, 1e-100] {
+        let mesh = Mesh::from_triangles(vec![DVec3::ZERO, DVec3::X, DVec3::new(0.5, height, 0.0)], &[[0, 1, 2]]).unwrap();
+        let face = pelage_mesh::FaceId(0);
+        assert_eq!(mesh.face_normal(face), DVec3::Z);
+        let angles = mesh.corner_angles(face);
+        assert!((angles[0] - 2.0 * height).abs() < 1e-2 * height && (angles[0] - angles[1]).abs() < 1e-9 * height, "{angles:?}");
+    }
+    let flat = Mesh::from_triangles(vec![DVec3::ZERO, DVec3::X, 2.0 * DVec3::X, DVec3::X], &[[0, 1, 2], [1, 0, 3]]).unwrap();
+    assert!(flat.vertex_normals().iter().all(|&n| n == DVec3::ZERO));
+    assert!(flat.corner_angles(pelage_mesh::FaceId(1)).iter().all(|a| a.is_finite()));
+}
