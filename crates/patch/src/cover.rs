@@ -1,0 +1,126 @@
+//! Covering a whole mesh with patches.
+
+use glam::DVec2;
+use pelage_field::DirectionField;
+use pelage_mesh::{FaceId, Mesh};
+use rand::seq::SliceRandom;
+use rand::{RngExt, SeedableRng};
+use rand_pcg::Pcg64Mcg;
+
+use crate::distortion::Bounds;
+use crate::frame::face_rotations;
+use crate::growth::{Draft, Grower, UNCOVERED};
+use crate::shape::{FaceShape, face_shapes};
+use crate::solve::Wish;
+use crate::splotch::{Splotch, random_rotation};
+use crate::{PatchError, PatchTiling, Settings};
+
+/// Patches first grow within this part of the bounds, which leaves the rest to those that cover what is left between them.
+const FIRST_BOUNDS: f64 = 0.75;
+/// Patches that are too small are dissolved, and the others may swell over them. Each round: the part of its splotch that a patch must cover,
+/// the faces that it must have, and how far beyond their splotches the others may swell.
+const ROUNDS: [(f64, usize, f64); 3] = [(0.3, 0, 1.5), (0.1, 4, 2.5), (0.1, 4, 2.5)];
+
+/// Covers a mesh with lapped patches that do not overlap: every face lies in exactly one, and every patch is a topological disc.
+pub fn grow(mesh: &Mesh, directions: Option<&DirectionField>, settings: &Settings) -> Result<PatchTiling, PatchError> {
+    settings.validate()?;
+    check_scale(mesh, settings.tile_side)?;
+    if let Some(field) = directions
+        && field.vectors().len() != mesh.topology().vertex_count()
+    {
+        return Err(PatchError::DirectionCount { directions: field.vectors().len(), vertices: mesh.topology().vertex_count() });
+    }
+    let shapes = face_shapes(mesh, settings.tile_side);
+    let rotations = directions.map(|field| face_rotations(mesh, field, &shapes, settings.tile_side));
+    let bounds = Bounds::new(settings.max_stretch, settings.max_turning);
+    let first_bounds = Bounds::new(settings.max_stretch.powf(FIRST_BOUNDS), FIRST_BOUNDS * settings.max_turning);
+    let wish = Wish { rotations: rotations.as_deref(), alignment: settings.alignment };
+    let mut cover = Cover {
+        grower: Grower::new(mesh.topology(), &shapes, wish, first_bounds),
+        shapes: &shapes,
+        drafts: Vec::new(),
+        extent: settings.patch_extent,
+        random: Pcg64Mcg::seed_from_u64(settings.seed),
+    };
+    let mut order: Vec<FaceId> = mesh.topology().faces().collect();
+    order.shuffle(&mut cover.random);
+    cover.fill(&order);
+    cover.grower.bounds = bounds;
+    for (part, faces, swelling) in ROUNDS {
+        cover.dissolve(part, faces);
+        cover.swell(swelling);
+        cover.fill(&order);
+    }
+    let drafts = cover.finished();
+    Ok(PatchTiling::from_drafts(mesh, settings.tile_side, drafts))
+}
+
+fn check_scale(mesh: &Mesh, tile_side: f64) -> Result<(), PatchError> {
+    let diameter = mesh.diameter();
+    let ratio = diameter / tile_side;
+    if diameter == 0.0 || (1e-100..=1e100).contains(&ratio) { Ok(()) } else { Err(PatchError::Scale { diameter, tile_side }) }
+}
+
+struct Cover<'a> {
+    grower: Grower<'a>,
+    shapes: &'a [FaceShape],
+    /// Dissolved ones are left empty.
+    drafts: Vec<Draft>,
+    extent: f64,
+    random: Pcg64Mcg,
+}
+
+impl Cover<'_> {
+    /// Grows a patch from each face that is still uncovered when its turn comes.
+    fn fill(&mut self, order: &[FaceId]) {
+        for &seed in order {
+            if self.grower.owners[seed.index()] == UNCOVERED {
+                let splotch = Splotch::random(self.extent, &mut self.random);
+                let single = self.grower.single(seed, splotch, random_rotation(&mut self.random));
+                let draft = self.grower.grow(&single, 1.0);
+                self.own(&draft, self.drafts.len() as u32);
+                self.drafts.push(draft);
+            }
+        }
+    }
+
+    fn own(&mut self, draft: &Draft, owner: u32) {
+        for face in &draft.faces {
+            self.grower.owners[face.index()] = owner;
+        }
+    }
+
+    /// Uncovers the faces of patches that cover less than a part of their splotch or have fewer than so many faces.
+    fn dissolve(&mut self, part: f64, faces: usize) {
+        for index in 0..self.drafts.len() {
+            let draft = &self.drafts[index];
+            let area: f64 = draft.faces.iter().map(|f| self.shapes[f.index()].area()).sum();
+            if area < part * draft.splotch.area() || draft.faces.len() < faces {
+                let draft = Draft { faces: Vec::new(), vertices: Vec::new(), places: Vec::new(), splotch: draft.splotch };
+                let dissolved = std::mem::replace(&mut self.drafts[index], draft);
+                self.own(&dissolved, UNCOVERED);
+            }
+        }
+    }
+
+    /// Lets each patch grow over uncovered faces beyond its splotch.
+    fn swell(&mut self, swelling: f64) {
+        for index in 0..self.drafts.len() {
+            if !self.drafts[index].faces.is_empty() {
+                let draft = self.grower.grow(&self.drafts[index], swelling);
+                self.own(&draft, index as u32);
+                self.drafts[index] = draft;
+            }
+        }
+    }
+
+    /// The patches that are left, each moved to a random part of the tile: else all would show the same hairs in their middle.
+    fn finished(mut self) -> Vec<Draft> {
+        self.drafts.retain(|draft| !draft.faces.is_empty());
+        for draft in &mut self.drafts {
+            let shift = DVec2::new(self.random.random(), self.random.random());
+            draft.places.iter_mut().for_each(|place| *place += shift);
+        }
+        self.drafts
+    }
+}

@@ -1,0 +1,195 @@
+//! The least-squares parameterisation of one patch.
+
+use faer::Spec;
+use faer::dyn_stack::{MemBuffer, MemStack};
+use faer::linalg::cholesky::llt::factor::LltRegularization;
+use faer::sparse::linalg::cholesky::{CholeskySymbolicParams, LltRef, SymbolicCholesky, SymmetricOrdering, factorize_symbolic_cholesky};
+use faer::sparse::{SparseColMat, Triplet};
+use faer::{Conj, MatMut, Par, Side};
+use glam::DVec2;
+
+use crate::shape::FaceShape;
+
+/// Greatest residual of the normal equations, relative to the greatest entry of the right-hand side.
+const RESIDUAL: f64 = 1e-8;
+/// Turns of choosing rotations and solving for them. More change the figures of whole tilings in the third digit only.
+const TURNS: usize = 4;
+
+/// The system could not be solved to the wanted residual.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) struct Unsolved;
+
+/// One patch: its faces' corners as vertex numbers, and their shapes.
+pub(crate) struct Patchwork<'a> {
+    pub(crate) corners: &'a [[u32; 3]],
+    pub(crate) shapes: &'a [FaceShape],
+}
+
+/// What each face's map should be.
+#[derive(Clone, Copy)]
+pub(crate) struct Wish<'a> {
+    /// The rotation of each face that takes the field to the tile's t axis; none where the patch is isotropic.
+    pub(crate) rotations: Option<&'a [DVec2]>,
+    /// How much nearness to it counts beside nearness of the map to some rotation.
+    pub(crate) alignment: f64,
+}
+
+/// Places the vertices so that each face's map is nearly a rotation, and that nearly the wanted one.
+///
+/// With J the linear map of face *f*, R its rotation and F the wanted one, Σ area(f) (‖J − R‖² + λ ‖R − F‖²) is made small over J and R in
+/// turn, with a single factorisation; λ is the alignment. As λ grows, R becomes F and the energy that of Praun et al. 2000 (their sum of
+/// ‖φ(S) − ŝ‖² and ‖φ(T) − t̂‖² for orthonormal S and T). Where the field spreads or bends, no even density follows it exactly: a finite λ
+/// lets hair turn a little rather than thin out. Without a field λ is 0 and the patch is as rigid as possible (Liu et al. 2008). Hoppe
+/// recommends a conformal map there; but it lets the scale drift with the curvature, and hair would grow thinner and denser with it.
+///
+/// For given R the energy is Σ over sides of half the opposite cotangent times ‖(xᵢ − xⱼ) − R(pᵢ − pⱼ)‖², p being the face's flat layout
+/// (Pinkall and Polthier 1993): two Poisson systems, for s and t, with one cotangent Laplacian. Written so, a patch that can be flat is
+/// solved exactly whatever the weights, and the weights may be mollified.
+///
+/// `places` holds a first guess. The middle of the first face ends at the origin.
+pub(crate) fn solve(patch: &Patchwork<'_>, wish: Wish<'_>, places: &mut [DVec2]) -> Result<(), Unsolved> {
+    let system = System::factorise(patch.corners, patch.shapes, places.len())?;
+    let mut rotations = vec![DVec2::X; patch.corners.len()];
+    for _ in 0..TURNS {
+        for (k, rotation) in rotations.iter_mut().enumerate() {
+            let pull = wish.rotations.map_or(DVec2::ZERO, |r| wish.alignment * r[k]);
+            *rotation = best_rotation(&patch.shapes[k], patch.corners[k].map(|c| places[c as usize]), pull);
+        }
+        system.place(patch, &rotations, places)?;
+    }
+    if let Some(first) = patch.corners.first() {
+        let centre = first.iter().map(|&c| places[c as usize]).sum::<DVec2>() / 3.0;
+        places.iter_mut().for_each(|place| *place -= centre);
+    }
+    if places.iter().all(|p| p.is_finite()) { Ok(()) } else { Err(Unsolved) }
+}
+
+/// The sides of a face: from corner, to corner, and the corner opposite, whose weight is the side's.
+const SIDES: [[usize; 3]; 3] = [[1, 2, 0], [2, 0, 1], [0, 1, 2]];
+
+/// The rotation R that minimises ‖J − R‖² + λ ‖R − F‖² for the face's present map, `pull` being λ F.
+fn best_rotation(shape: &FaceShape, places: [DVec2; 3], pull: DVec2) -> DVec2 {
+    // As complex numbers: J's part that turns and scales, times `size`, twice the area.
+    let (mut turning, mut size) = (DVec2::ZERO, 0.0);
+    for [i, j, opposite] in SIDES {
+        let flat = shape.corners[j] - shape.corners[i];
+        let placed = places[j] - places[i];
+        turning += shape.weights[opposite] * DVec2::new(flat.dot(placed), flat.perp_dot(placed));
+        size += shape.weights[opposite] * flat.length_squared();
+    }
+    (turning + size * pull).try_normalize().unwrap_or(DVec2::X)
+}
+
+/// The factorised Laplacian. The first vertex is held at the origin and its row left out, which makes it positive definite.
+struct System {
+    matrix: SparseColMat<u32, f64>,
+    symbolic: SymbolicCholesky<u32>,
+    values: Vec<f64>,
+}
+
+impl System {
+    fn factorise(corners: &[[u32; 3]], shapes: &[FaceShape], vertex_count: usize) -> Result<Self, Unsolved> {
+        let unknowns = vertex_count - 1;
+        let mut diagonal = vec![0.0; vertex_count];
+        let mut entries = Vec::with_capacity(3 * corners.len() + unknowns);
+        for (face, shape) in corners.iter().zip(shapes) {
+            for [i, j, opposite] in SIDES {
+                let (low, high) = (face[i].min(face[j]), face[i].max(face[j]));
+                let weight = shape.weights[opposite];
+                diagonal[low as usize] += weight;
+                diagonal[high as usize] += weight;
+                if low > 0 {
+                    entries.push(Triplet::new(high - 1, low - 1, -weight));
+                }
+            }
+        }
+        entries.extend((1..vertex_count as u32).map(|v| Triplet::new(v - 1, v - 1, diagonal[v as usize])));
+        let matrix = SparseColMat::try_new_from_triplets(unknowns, unknowns, &entries).map_err(|_| Unsolved)?;
+        let symbolic =
+            factorize_symbolic_cholesky(matrix.symbolic(), Side::Lower, SymmetricOrdering::Amd, CholeskySymbolicParams::default())
+                .map_err(|_| Unsolved)?;
+        let mut values = vec![0.0; symbolic.len_val()];
+        // Always on this thread: faer's global setting is not ours to read, and the bits are the same whatever it says.
+        let scratch = symbolic.factorize_numeric_llt_scratch::<f64>(Par::Seq, Spec::default());
+        let mut buffer = MemBuffer::try_new(scratch).map_err(|_| Unsolved)?;
+        symbolic
+            .factorize_numeric_llt(
+                &mut values,
+                matrix.as_ref(),
+                Side::Lower,
+                LltRegularization::default(),
+                Par::Seq,
+                MemStack::new(&mut buffer),
+                Spec::default(),
+            )
+            .map_err(|_| Unsolved)?;
+        Ok(Self { matrix, symbolic, values })
+    }
+
+    /// Solves for the given rotations, s and t at once.
+    fn place(&self, patch: &Patchwork<'_>, rotations: &[DVec2], places: &mut [DVec2]) -> Result<(), Unsolved> {
+        let unknowns = places.len() - 1;
+        let wanted = right_hand_side(patch, rotations, places.len());
+        let mut solution = wanted.clone();
+        self.back_substitute(unknowns, &mut solution)?;
+        let residual = self.residual(unknowns, &wanted, &solution);
+        if largest(&residual) > RESIDUAL * largest(&wanted) {
+            return Err(Unsolved);
+        }
+        places[0] = DVec2::ZERO;
+        for (k, place) in places[1..].iter_mut().enumerate() {
+            *place = DVec2::new(solution[k], solution[unknowns + k]);
+        }
+        Ok(())
+    }
+
+    fn back_substitute(&self, unknowns: usize, columns: &mut [f64]) -> Result<(), Unsolved> {
+        let mut buffer = MemBuffer::try_new(self.symbolic.solve_in_place_scratch::<f64>(2, Par::Seq)).map_err(|_| Unsolved)?;
+        LltRef::new(&self.symbolic, &self.values).solve_in_place_with_conj(
+            Conj::No,
+            MatMut::from_column_major_slice_mut(columns, unknowns, 2),
+            Par::Seq,
+            MemStack::new(&mut buffer),
+        );
+        Ok(())
+    }
+
+    /// Right-hand side less matrix times solution; the matrix holds its lower half.
+    fn residual(&self, unknowns: usize, wanted: &[f64], solution: &[f64]) -> Vec<f64> {
+        let mut residual = wanted.to_vec();
+        for entry in self.matrix.triplet_iter() {
+            let (row, column, value) = (entry.row, entry.col, *entry.val);
+            for offset in [0, unknowns] {
+                residual[offset + row] -= value * solution[offset + column];
+                if row != column {
+                    residual[offset + column] -= value * solution[offset + row];
+                }
+            }
+        }
+        residual
+    }
+}
+
+/// Two columns, s then t, without the row of the vertex that is held.
+fn right_hand_side(patch: &Patchwork<'_>, rotations: &[DVec2], vertex_count: usize) -> Vec<f64> {
+    let unknowns = vertex_count - 1;
+    let mut columns = vec![0.0; 2 * unknowns];
+    let mut add = |vertex: u32, pull: DVec2| {
+        if let Some(row) = (vertex as usize).checked_sub(1) {
+            columns[row] += pull.x;
+            columns[unknowns + row] += pull.y;
+        }
+    };
+    for ((face, shape), rotation) in patch.corners.iter().zip(patch.shapes).zip(rotations) {
+        for [i, j, opposite] in SIDES {
+            let pull = shape.weights[opposite] * rotation.rotate(shape.corners[i] - shape.corners[j]);
+            add(face[i], pull);
+            add(face[j], -pull);
+        }
+    }
+    columns
+}
+
+fn largest(values: &[f64]) -> f64 {
+    values.iter().fold(0.0, |most, v| if v.is_nan() { f64::INFINITY } else { most.max(v.abs()) })
+}
