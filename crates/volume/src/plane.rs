@@ -1,0 +1,55 @@
+//! Images before they are rounded to bytes.
+
+use crate::image::Image;
+use crate::srgb::Encoder;
+
+/// RGBA in linear light, premultiplied; `f32`, as a byte is all that will be kept of it.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct Plane {
+    pub(crate) width: usize,
+    pub(crate) height: usize,
+    pub(crate) texels: Vec<[f32; 4]>,
+}
+
+impl Plane {
+    pub(crate) fn new(width: usize, height: usize) -> Self {
+        Self { width, height, texels: vec![[0.0; 4]; width * height] }
+    }
+
+    /// Half as wide and high, no side under one: each texel the mean of those it covers. Sides are powers of two.
+    pub(crate) fn halved(&self) -> Self {
+        let (step_x, step_y) = (if self.width > 1 { 2 } else { 1 }, if self.height > 1 { 2 } else { 1 });
+        let mut half = Self::new(self.width / step_x, self.height / step_y);
+        let share = 1.0 / (step_x * step_y) as f32;
+        for (index, texel) in half.texels.iter_mut().enumerate() {
+            let (x, y) = (index % (self.width / step_x), index / (self.width / step_x));
+            for row in 0..step_y {
+                let begin = (y * step_y + row) * self.width + x * step_x;
+                for source in &self.texels[begin..begin + step_x] {
+                    for channel in 0..4 {
+                        texel[channel] += source[channel] * share;
+                    }
+                }
+            }
+        }
+        half
+    }
+
+    pub(crate) fn is_one_texel(&self) -> bool {
+        self.width <= 1 && self.height <= 1
+    }
+}
+
+/// Layers of one level, encoded one after the other.
+pub(crate) fn encode(layers: &[Plane]) -> Image {
+    let encoder = Encoder::new();
+    let (width, height) = layers.first().map_or((0, 0), |plane| (plane.width, plane.height));
+    let mut texels = Vec::with_capacity(4 * width * height * layers.len());
+    for texel in layers.iter().flat_map(|plane| &plane.texels) {
+        let alpha = texel[3].clamp(0.0, 1.0);
+        // Premultiplied colour cannot exceed what covers.
+        texels.extend(texel[..3].iter().map(|&c| encoder.byte(c.min(alpha))));
+        texels.push((alpha * 255.0 + 0.5) as u8);
+    }
+    Image { width: width as u32, height: height as u32, layers: layers.len() as u32, texels }
+}

@@ -1,0 +1,180 @@
+//! Strands sampled into shell layers (L8).
+
+use pelage_strand::{Strand, StrandTile};
+use rayon::prelude::*;
+use std::f64::consts::TAU;
+
+use crate::blur::blur;
+use crate::error::{VolumeError, power_of_two, within};
+use crate::footprint::Footprint;
+use crate::image::{ShellStack, Work};
+use crate::mips::{MipRule, shell_mips};
+use crate::plane::Plane;
+use crate::slab::{Cut, Slab};
+
+/// Most layers × resolution² sampled at once (16 bytes each while working: 512 MiB).
+pub const MAX_TEXELS: u64 = 1 << 25;
+
+/// Widest filter that is laid over hair by hair; what is wider is done to the whole layer at the end.
+const WIDEST_FOOTPRINT: f64 = 1.0;
+
+/// How strands become layers.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct ShellSettings {
+    /// Layers at heights k/(layers − 1) of the box, the skin and the tips included: 1 to 256. Cost and memory are linear in it.
+    pub layers: u32,
+    /// Texels along a tile side, a power of two from 1 to 2048. Memory goes with its square.
+    pub resolution: u32,
+    /// Lateral deviation of the filter beside the texel's own box, in texels: 0 to 1024. Larger is softer; below 0.5 aliases a little, 0 is the box alone.
+    pub lateral_sigma: f64,
+    /// Vertical deviation of the tall Gaussian, in layer spacings: 0.05 to 8. At the default, 1/√(2π), the layers' weights sum to one; larger draws slanted
+    /// hair longer in each layer, smaller cuts it apart.
+    pub vertical_sigma: f64,
+    /// Linear RGB of the skin under the innermost layer's hair, each 0 to 1.
+    pub skin_colour: [f32; 3],
+    /// What mips keep.
+    pub mip_rule: MipRule,
+}
+
+impl Default for ShellSettings {
+    fn default() -> Self {
+        Self {
+            layers: 16,
+            resolution: 128,
+            lateral_sigma: 0.35,
+            vertical_sigma: 1.0 / TAU.sqrt(),
+            skin_colour: [0.11, 0.075, 0.055],
+            mip_rule: MipRule::default(),
+        }
+    }
+}
+
+impl ShellSettings {
+    /// Says what is wrong first, if anything is.
+    ///
+    /// # Errors
+    /// A value outside the range that its field states, a resolution that is no power of two, too many texels.
+    pub fn validate(&self) -> Result<(), VolumeError> {
+        within("layers", f64::from(self.layers), 1.0, 256.0, "layers")?;
+        power_of_two("resolution", self.resolution, 2048)?;
+        within("lateral_sigma", self.lateral_sigma, 0.0, 1024.0, "texels")?;
+        within("vertical_sigma", self.vertical_sigma, 0.05, 8.0, "layer spacings")?;
+        self.skin_colour.iter().try_for_each(|&c| within("skin_colour", f64::from(c), 0.0, 1.0, "(linear light)"))?;
+        let asked = u64::from(self.layers) * u64::from(self.resolution) * u64::from(self.resolution);
+        if asked > MAX_TEXELS { Err(VolumeError::TooManyTexels { asked, limit: MAX_TEXELS }) } else { Ok(()) }
+    }
+}
+
+/// Samples a tile of hair into shell layers with mips.
+///
+/// The alpha of a texel is the fraction of its footprint (box and lateral Gaussian) that the layer's hair is expected to cover, seen along z; hairs count
+/// as independent, 1 − Π(1 − a). Layer 0 is opaque: hair over skin. The same bytes come out whatever the number of threads.
+///
+/// # Errors
+/// Settings out of range, or a box without height.
+pub fn sample_shells(tile: &StrandTile, settings: &ShellSettings) -> Result<ShellStack, VolumeError> {
+    settings.validate()?;
+    let height = tile.height();
+    if !(height.is_finite() && height > 0.0) {
+        return Err(VolumeError::NoHeight { height });
+    }
+    let spans: Vec<(f32, f32)> = tile.strands().map(|strand| span(&strand)).collect();
+    let sampled: Vec<(Plane, Work)> =
+        (0..settings.layers).into_par_iter().map(|layer| sample_layer(tile, &spans, settings, layer)).collect();
+    let work = sampled.iter().fold(Work::default(), |sum, (_, work)| sum.plus(*work));
+    let planes = sampled.into_iter().map(|(plane, _)| plane).collect();
+    Ok(ShellStack { layers: settings.layers, height, mips: shell_mips(planes, settings.mip_rule), work })
+}
+
+/// Lowest and highest point of a strand.
+fn span(strand: &Strand<'_>) -> (f32, f32) {
+    strand.points.iter().fold((f32::INFINITY, f32::NEG_INFINITY), |(low, high), p| (low.min(p[2]), high.max(p[2])))
+}
+
+fn sample_layer(tile: &StrandTile, spans: &[(f32, f32)], settings: &ShellSettings, layer: u32) -> (Plane, Work) {
+    let steps = f64::from((settings.layers - 1).max(1));
+    let resolution = f64::from(settings.resolution);
+    // The box of a texel enters by its variance.
+    let sigma = (settings.lateral_sigma * settings.lateral_sigma + 1.0 / 12.0).sqrt();
+    let near = sigma.min(WIDEST_FOOTPRINT);
+    let slab = Slab {
+        height: tile.height() * f64::from(layer) / steps,
+        sigma: settings.vertical_sigma * tile.height() / steps,
+        resolution,
+        lateral: near,
+    };
+    let mut gathered = Gathered::new(settings.resolution as usize);
+    let mut footprint = Footprint::new(near as f32);
+    let mut cut = Cut::default();
+    let mut work = Work::default();
+    let (low, high) = slab.reach();
+    for (strand, &(bottom, top)) in tile.strands().zip(spans) {
+        if top < low || bottom > high {
+            continue;
+        }
+        slab.cut(&strand, &mut cut);
+        if cut.pieces.is_empty() {
+            continue;
+        }
+        work.cuts += 1;
+        footprint.open(&cut.pieces);
+        cut.pieces.iter().for_each(|piece| footprint.add(piece));
+        let colour = [0, 1, 2].map(|c| strand.root_colour[c] + (strand.tip_colour[c] - strand.root_colour[c]) * cut.along);
+        footprint.close(cut.mass as f32, |x, y, covered| gathered.cover(x, y, covered, colour));
+    }
+    work.pairs = footprint.pairs;
+    let mut plane = gathered.finish();
+    blur(&mut plane, (sigma * sigma - near * near).max(0.0).sqrt());
+    if layer == 0 {
+        lay_on_skin(&mut plane, settings.skin_colour);
+    }
+    (plane, work)
+}
+
+/// One layer while hairs are added to it.
+struct Gathered {
+    side: usize,
+    /// What is still open: Π(1 − a).
+    open: Vec<f32>,
+    /// Σ a·colour and Σ a.
+    sums: Vec<[f32; 4]>,
+}
+
+impl Gathered {
+    fn new(side: usize) -> Self {
+        Self { side, open: vec![1.0; side * side], sums: vec![[0.0; 4]; side * side] }
+    }
+
+    /// Covers a fraction of a texel, wrapped on the torus.
+    fn cover(&mut self, x: i32, y: i32, covered: f32, colour: [f32; 3]) {
+        // Sides are powers of two.
+        let mask = self.side - 1;
+        let index = (y as usize & mask) * self.side + (x as usize & mask);
+        self.open[index] *= 1.0 - covered;
+        let sum = &mut self.sums[index];
+        for channel in 0..3 {
+            sum[channel] += covered * colour[channel];
+        }
+        sum[3] += covered;
+    }
+
+    /// Colour is the mean of the hairs' colours weighted by what they cover.
+    fn finish(self) -> Plane {
+        let mut plane = Plane::new(self.side, self.side);
+        for ((texel, open), sum) in plane.texels.iter_mut().zip(&self.open).zip(&self.sums) {
+            let alpha = 1.0 - open;
+            let share = if sum[3] > 0.0 { alpha / sum[3] } else { 0.0 };
+            *texel = [sum[0] * share, sum[1] * share, sum[2] * share, alpha];
+        }
+        plane
+    }
+}
+
+fn lay_on_skin(plane: &mut Plane, skin: [f32; 3]) {
+    for texel in &mut plane.texels {
+        for channel in 0..3 {
+            texel[channel] += skin[channel] * (1.0 - texel[3]);
+        }
+        texel[3] = 1.0;
+    }
+}
