@@ -28,6 +28,7 @@ impl Place {
     }
 
     /// The root itself.
+    #[cfg(feature = "checks")]
     pub(crate) fn root(&self) -> &Path {
         &self.root
     }

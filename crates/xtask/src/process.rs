@@ -37,6 +37,7 @@ impl CommandLine {
     }
 
     /// The same with an environment variable set.
+    #[cfg(any(feature = "checks", test))]
     pub(crate) fn with_variable(mut self, name: &str, value: &str) -> Self {
         self.environment.push((name.to_owned(), value.to_owned()));
         self

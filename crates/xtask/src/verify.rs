@@ -43,7 +43,7 @@ impl StepName {
             Self::Format => "one layout of the code, so that a diff shows what changed and nothing else",
             Self::Layering => "data goes one way: no crate knows what is on its right",
             Self::Licences => "whoever takes a crate may combine it with what they have",
-            Self::Clippy => "no panic, no printing in libraries, no needless clone; with and without drawing",
+            Self::Clippy => "no panic, no printing in libraries, no needless clone; with and without drawing, with and without checks",
             Self::Docs => "every public item is documented and every link in it leads somewhere",
             Self::Book => "every page is in the contents, every link and picture exists, the node reference is of today",
             Self::Tests => "it does what it says: units, properties, examples of the documentation, saved graphs and their pictures",
@@ -66,6 +66,7 @@ impl StepName {
             Self::Clippy => {
                 cargo("clippy --workspace --all-targets --features pelage-xtask/checks --locked -- -D warnings").run()?;
                 cargo("clippy --package pelage-nodes --no-default-features --all-targets --locked -- -D warnings").run()?;
+                cargo("clippy --package pelage-xtask --all-targets --locked -- -D warnings").run()?;
             }
             Self::Docs => cargo("doc --workspace --no-deps --locked").with_variable("RUSTDOCFLAGS", "-D warnings").run()?,
             Self::Book => book::verify(place)?,

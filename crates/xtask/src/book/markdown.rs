@@ -37,7 +37,7 @@ impl Page {
                 Event::Start(Tag::Heading { id, .. }) => heading = Some((id.map(|id| id.to_string()), String::new())),
                 Event::End(TagEnd::Heading(_)) => {
                     if let Some((id, content)) = heading.take() {
-                        page.add_anchor(id.unwrap_or_else(|| slug(&content)));
+                        page.add_anchor(&id.unwrap_or_else(|| slug(&content)));
                     }
                 }
                 Event::Text(words) | Event::Code(words) => {
@@ -60,9 +60,9 @@ impl Page {
     }
 
     /// As mdBook makes ids one of a kind: `id`, `id-1`, `id-2`.
-    fn add_anchor(&mut self, id: String) {
+    fn add_anchor(&mut self, id: &str) {
         let free = (1..).map(|number| format!("{id}-{number}"));
-        let free = std::iter::once(id.clone()).chain(free).find(|id| !self.anchors.contains(id));
+        let free = std::iter::once(id.to_owned()).chain(free).find(|id| !self.anchors.contains(id));
         self.anchors.extend(free);
     }
 }
