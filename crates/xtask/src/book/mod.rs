@@ -1,0 +1,52 @@
+//! The book: built, checked, its node reference and its pictures made anew.
+
+mod links;
+mod markdown;
+mod nodes;
+mod pages;
+mod pictures;
+
+use clap::ValueEnum;
+use mdbook_driver::MDBook;
+
+use crate::failure::{Failure, Result};
+use crate::place::Place;
+
+/// What `cargo book` makes besides the pages.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub(crate) enum What {
+    /// Draw the book's pictures anew, each from its saved graph.
+    Pictures,
+}
+
+/// Makes the node reference anew, the pictures if they are asked for, and builds the book into `book/book`.
+pub(crate) fn run(place: &Place, what: Option<What>) -> Result<()> {
+    nodes::write(place)?;
+    if what == Some(What::Pictures) {
+        pictures::draw(place)?;
+    }
+    check_sources(place)?;
+    build(place)?;
+    println!("the book: {}", place.at("book/book/index.html").display());
+    Ok(())
+}
+
+/// Checks the sources and the node reference, and builds the book. Changes no source.
+pub(crate) fn verify(place: &Place) -> Result<()> {
+    check_sources(place)?;
+    nodes::check(place)?;
+    build(place)
+}
+
+/// All that can be seen without building.
+fn check_sources(place: &Place) -> Result<()> {
+    let mut faults = pages::faults(&place.at("book/src"))?;
+    faults.extend(pictures::faults(place));
+    faults.extend(links::faults(place)?);
+    if faults.is_empty() { Ok(()) } else { Err(Failure::faults("the book does not hold together", &faults)) }
+}
+
+fn build(place: &Place) -> Result<()> {
+    let built = MDBook::load(place.at("book")).and_then(|book| book.build());
+    built.map_err(|cause| Failure::new(format!("mdBook: {cause:#}")))
+}

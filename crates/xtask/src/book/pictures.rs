@@ -1,0 +1,83 @@
+//! The book's pictures, each from a saved graph, so that `cargo book pictures` makes them all anew.
+
+use std::fs;
+
+use crate::failure::{Failure, Result};
+use crate::place::Place;
+use crate::process::CommandLine;
+use crate::vulkan;
+
+/// How a picture of the book is made.
+struct Picture {
+    /// Its file in `book/src/pictures`.
+    file: &'static str,
+    /// The saved graph, from the root.
+    graph: &'static str,
+    /// What is set in it: `NODE.INPUT=VALUE` each.
+    set: &'static [&'static str],
+    /// Its size in pixels, `WxH`.
+    size: &'static str,
+}
+
+/// Every picture of the book, and of the README.
+const PICTURES: &[Picture] = &[Picture { file: "bunny.png", graph: "graphs/bunny.ron", set: &[], size: "960x720" }];
+
+const FOLDER: &str = "book/src/pictures";
+
+/// Draws every picture anew, with the release build of the program.
+pub(crate) fn draw(place: &Place) -> Result<()> {
+    vulkan::make_sure()?;
+    let folder = place.at(FOLDER);
+    fs::create_dir_all(&folder).map_err(|cause| Failure::caused(folder.display(), cause))?;
+    PICTURES.iter().try_for_each(|picture| {
+        println!("{FOLDER}/{}", picture.file);
+        command(place, picture).run()
+    })
+}
+
+fn command(place: &Place, picture: &Picture) -> CommandLine {
+    let set = picture.set.iter().flat_map(|value| ["--set", value]);
+    CommandLine::cargo()
+        .with(["run", "--quiet", "--release", "--package", "pelage-cli", "--", "render", picture.graph])
+        .with(["--size", picture.size])
+        .with(set)
+        .with(["-o".into(), place.at(FOLDER).join(picture.file)])
+        .within(place.root())
+}
+
+/// A line for each picture of the table that is not there.
+pub(crate) fn faults(place: &Place) -> Vec<String> {
+    missing(PICTURES, |file| place.at(FOLDER).join(file).is_file())
+}
+
+fn missing(pictures: &[Picture], exists: impl Fn(&str) -> bool) -> Vec<String> {
+    let absent = pictures.iter().filter(|picture| !exists(picture.file));
+    absent.map(|picture| format!("{FOLDER}/{} is not there: draw it with `cargo book pictures`", picture.file)).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use std::collections::BTreeSet;
+
+    #[test]
+    fn the_table_names_each_file_once() {
+        let files: BTreeSet<&str> = PICTURES.iter().map(|picture| picture.file).collect();
+        assert_eq!(files.len(), PICTURES.len());
+        assert!(PICTURES.iter().all(|picture| picture.size.split('x').all(|side| side.parse::<u32>().is_ok_and(|side| side > 0))));
+    }
+
+    #[test]
+    fn a_picture_is_drawn_by_the_program() {
+        let picture = Picture { file: "x.png", graph: "graphs/x.ron", set: &["hair.seed=7", "coat.length=0.1"], size: "64x48" };
+        let line = command(&Place::find().unwrap(), &picture).to_string();
+        assert!(line.contains("render graphs/x.ron --size 64x48 --set hair.seed=7 --set coat.length=0.1 -o "), "{line}");
+        assert!(line.contains("x.png"), "{line}");
+    }
+
+    #[test]
+    fn a_missing_picture_is_told() {
+        assert_eq!(missing(PICTURES, |_| false).len(), PICTURES.len());
+        assert_eq!(missing(PICTURES, |_| true), Vec::<String>::new());
+    }
+}
