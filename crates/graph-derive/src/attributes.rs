@@ -1,0 +1,123 @@
+//! The attributes `#[node(…)]`, `#[output(…)]` and `#[param(…)]`.
+
+use syn::parse::{Parse, ParseStream};
+use syn::punctuated::Punctuated;
+use syn::spanned::Spanned;
+use syn::{Attribute, Expr, Ident, LitInt, LitStr, Token, Type, parenthesized};
+
+/// The one attribute of a name; more than one is an error.
+pub(crate) fn single<'a>(attributes: &'a [Attribute], name: &str) -> syn::Result<Option<&'a Attribute>> {
+    let mut found = attributes.iter().filter(|attribute| attribute.path().is_ident(name));
+    let first = found.next();
+    match found.next() {
+        Some(second) => Err(syn::Error::new(second.span(), format!("#[{name}] is given twice"))),
+        None => Ok(first),
+    }
+}
+
+/// `#[node(category = "…", version = 1, name = "…", context("frame"))]`
+#[derive(Default)]
+pub(crate) struct NodeAttribute {
+    pub(crate) category: Option<LitStr>,
+    pub(crate) version: Option<LitInt>,
+    pub(crate) name: Option<LitStr>,
+    pub(crate) context: Vec<LitStr>,
+}
+
+impl Parse for NodeAttribute {
+    fn parse(input: ParseStream<'_>) -> syn::Result<Self> {
+        let mut attribute = Self::default();
+        while !input.is_empty() {
+            let key: Ident = input.parse()?;
+            match key.to_string().as_str() {
+                "category" => attribute.category = Some(value(input)?),
+                "version" => attribute.version = Some(value(input)?),
+                "name" => attribute.name = Some(value(input)?),
+                "context" if input.peek(Token![=]) => attribute.context.push(value(input)?),
+                "context" => {
+                    let names;
+                    parenthesized!(names in input);
+                    attribute.context.extend(Punctuated::<LitStr, Token![,]>::parse_terminated(&names)?);
+                }
+                _ => return Err(syn::Error::new(key.span(), "expected category, version, name or context")),
+            }
+            comma(input)?;
+        }
+        Ok(attribute)
+    }
+}
+
+/// `#[output(port: Type, "What it is.")]`
+pub(crate) struct OutputAttribute {
+    pub(crate) name: Ident,
+    pub(crate) ty: Type,
+    pub(crate) doc: LitStr,
+}
+
+impl Parse for OutputAttribute {
+    fn parse(input: ParseStream<'_>) -> syn::Result<Self> {
+        let name: Ident = input.parse()?;
+        input.parse::<Token![:]>()?;
+        let ty: Type = input.parse()?;
+        if input.is_empty() {
+            return Err(syn::Error::new(name.span(), format!("the output `{name}` needs a text after its type: what it is")));
+        }
+        input.parse::<Token![,]>()?;
+        let doc: LitStr = input.parse()?;
+        comma(input)?;
+        if doc.value().trim().is_empty() {
+            return Err(syn::Error::new(doc.span(), "say what the output is"));
+        }
+        if !input.is_empty() {
+            return Err(input.error("one output for each #[output(…)]"));
+        }
+        Ok(Self { name, ty, doc })
+    }
+}
+
+/// `#[param(default = …, range = …, unit = "…", effect = "…")]`
+#[derive(Default)]
+pub(crate) struct ParamAttribute {
+    pub(crate) default: Option<Expr>,
+    pub(crate) range: Option<Expr>,
+    pub(crate) unit: Option<LitStr>,
+    pub(crate) effect: Option<LitStr>,
+}
+
+impl Parse for ParamAttribute {
+    fn parse(input: ParseStream<'_>) -> syn::Result<Self> {
+        let mut attribute = Self::default();
+        while !input.is_empty() {
+            let key: Ident = input.parse()?;
+            match key.to_string().as_str() {
+                "default" => attribute.default = Some(value(input)?),
+                "range" => attribute.range = Some(value(input)?),
+                "unit" => attribute.unit = Some(value(input)?),
+                "effect" => attribute.effect = Some(value(input)?),
+                _ => return Err(syn::Error::new(key.span(), "expected default, range, unit or effect")),
+            }
+            comma(input)?;
+        }
+        Ok(attribute)
+    }
+}
+
+impl ParamAttribute {
+    /// `#[param]` alone says nothing.
+    pub(crate) fn read(attribute: &Attribute) -> syn::Result<Self> {
+        if matches!(attribute.meta, syn::Meta::Path(_)) { Ok(Self::default()) } else { attribute.parse_args() }
+    }
+}
+
+fn value<T: Parse>(input: ParseStream<'_>) -> syn::Result<T> {
+    input.parse::<Token![=]>()?;
+    input.parse()
+}
+
+/// A comma, or the end.
+fn comma(input: ParseStream<'_>) -> syn::Result<()> {
+    if !input.is_empty() {
+        input.parse::<Token![,]>()?;
+    }
+    Ok(())
+}

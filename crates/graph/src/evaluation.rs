@@ -1,0 +1,146 @@
+//! What a run gave: values, and how each node came by them.
+
+use std::collections::HashMap;
+use std::error::Error;
+use std::sync::Arc;
+
+use crate::graph::NodeId;
+use crate::key::Key;
+use crate::node::NodeError;
+use crate::value::Value;
+
+/// Why a run gave nothing.
+#[derive(Debug, thiserror::Error)]
+pub enum EvaluateError {
+    /// A node failed. Its error is kept whole.
+    #[error("node \"{node}\" ({kind}): {source}")]
+    Node {
+        /// Which node.
+        node: NodeId,
+        /// Its kind.
+        kind: String,
+        /// Its error.
+        source: NodeError,
+    },
+    /// An output was asked for that the graph does not have.
+    #[error("there is no output {output:?}{}", .nearest.as_ref().map(|name| format!("; did you mean {name}?")).unwrap_or_default())]
+    NoSuchOutput {
+        /// What was asked for.
+        output: String,
+        /// The output nearest to it.
+        nearest: Option<String>,
+    },
+    /// The main output was asked for, and the graph names none.
+    #[error("the graph names no main output; add output: \"node.port\" to it, or ask for one")]
+    NoMainOutput,
+    /// An output is of another type than asked for.
+    #[error("the output {output:?} is {found}, not {expected}")]
+    WrongType {
+        /// The output.
+        output: String,
+        /// What was asked for.
+        expected: String,
+        /// What it is.
+        found: String,
+    },
+    /// The run was asked to stop.
+    #[error("cancelled")]
+    Cancelled,
+}
+
+impl EvaluateError {
+    /// The `E` that caused this, wherever it is in the chain of causes.
+    pub fn cause<E: Error + 'static>(&self) -> Option<&E> {
+        let Self::Node { source, .. } = self else { return None };
+        let mut next: Option<&(dyn Error + 'static)> = Some(&**source);
+        while let Some(error) = next {
+            if let Some(found) = error.downcast_ref::<E>() {
+                return Some(found);
+            }
+            next = error.source();
+        }
+        None
+    }
+}
+
+/// How a node came by its values.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, serde::Serialize)]
+#[serde(rename_all = "lowercase")]
+pub enum State {
+    /// It ran.
+    Computed,
+    /// Its values were there, from an earlier run or from an equal node.
+    #[serde(rename = "cached")]
+    Hit,
+    /// Nobody asked for it, or all who would have were there already.
+    #[serde(rename = "not needed")]
+    NotNeeded,
+}
+
+/// What became of one node in a run.
+#[derive(Clone, Debug, PartialEq)]
+pub struct TraceEntry {
+    /// Which node.
+    pub node: NodeId,
+    /// Its kind.
+    pub kind: String,
+    /// How it came by its values.
+    pub state: State,
+    /// Milliseconds it ran; 0 unless computed.
+    pub ms: f64,
+    /// Bytes of its values at hand.
+    pub bytes: usize,
+    /// Key of each output that was asked for.
+    pub keys: Vec<(String, Key)>,
+}
+
+/// The values of a run, all nodes that had a part in it included, and its trace.
+#[derive(Debug)]
+pub struct Evaluation {
+    /// By node and port, in the order of the document.
+    pub(crate) values: Vec<(NodeId, String, Value)>,
+    pub(crate) by_name: HashMap<String, usize>,
+    pub(crate) main: Option<String>,
+    pub(crate) trace: Vec<TraceEntry>,
+}
+
+impl Evaluation {
+    /// An output's value, `node.port`.
+    ///
+    /// # Errors
+    /// If it was not asked for and had no part in the run, or is of another type.
+    pub fn get<T: Send + Sync + 'static>(&self, output: &str) -> Result<Arc<T>, EvaluateError> {
+        let Some(value) = self.value(output) else {
+            let nearest = crate::fault::nearest(output, self.by_name.keys().map(String::as_str).collect::<std::collections::BTreeSet<_>>());
+            return Err(EvaluateError::NoSuchOutput { output: output.to_owned(), nearest });
+        };
+        value.downcast().ok_or_else(|| EvaluateError::WrongType {
+            output: output.to_owned(),
+            expected: std::any::type_name::<T>().to_owned(),
+            found: value.type_name().to_owned(),
+        })
+    }
+
+    /// The value of the graph's main output.
+    ///
+    /// # Errors
+    /// If the graph names none, or as [`get`](Self::get).
+    pub fn main<T: Send + Sync + 'static>(&self) -> Result<Arc<T>, EvaluateError> {
+        self.get(self.main.as_ref().ok_or(EvaluateError::NoMainOutput)?)
+    }
+
+    /// An output's value of whatever type.
+    pub fn value(&self, output: &str) -> Option<&Value> {
+        self.by_name.get(output).map(|&index| &self.values[index].2)
+    }
+
+    /// Every value that had a part in the run and is at hand, in the order of the document.
+    pub fn values(&self) -> impl Iterator<Item = (&NodeId, &str, &Value)> {
+        self.values.iter().map(|(node, port, value)| (node, port.as_str(), value))
+    }
+
+    /// What became of each node, in the order of the document.
+    pub fn trace(&self) -> &[TraceEntry] {
+        &self.trace
+    }
+}

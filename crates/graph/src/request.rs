@@ -1,0 +1,51 @@
+//! What is asked of a run.
+
+use std::collections::BTreeMap;
+use std::sync::Arc;
+
+use crate::context::{CancelToken, Observer};
+use crate::literal::Literal;
+
+/// Which outputs are asked for, and under what context.
+#[derive(Clone, Default)]
+pub struct Request {
+    pub(crate) outputs: Vec<String>,
+    pub(crate) context: BTreeMap<String, Literal>,
+    pub(crate) cancel: CancelToken,
+    pub(crate) observer: Option<Arc<dyn Observer>>,
+}
+
+impl Request {
+    /// The graph's main output.
+    pub fn main() -> Self {
+        Self::default()
+    }
+    /// One output, `node.port`.
+    pub fn output(output: &str) -> Self {
+        Self::default().and_output(output)
+    }
+    /// Another output besides.
+    #[must_use]
+    pub fn and_output(mut self, output: &str) -> Self {
+        self.outputs.push(output.to_owned());
+        self
+    }
+    /// A context value, such as `frame`. Only nodes that declare it depend on it.
+    #[must_use]
+    pub fn with_context(mut self, name: &str, value: impl Into<Literal>) -> Self {
+        self.context.insert(name.to_owned(), value.into());
+        self
+    }
+    /// A token by which to stop the run.
+    #[must_use]
+    pub fn with_cancel(mut self, cancel: CancelToken) -> Self {
+        self.cancel = cancel;
+        self
+    }
+    /// Who is told how the run gets on.
+    #[must_use]
+    pub fn with_observer(mut self, observer: Arc<dyn Observer>) -> Self {
+        self.observer = Some(observer);
+        self
+    }
+}
