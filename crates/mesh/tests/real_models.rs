@@ -1,4 +1,5 @@
 //! Counts of scanned and modelled meshes, held against `real/topology.json` of the folder `PELAGE_MODELS`.
+#![allow(clippy::unwrap_used, clippy::print_stdout, reason = "a test may fail, and says what it leaves out")]
 
 use std::path::PathBuf;
 
