@@ -5,7 +5,7 @@ use std::fs;
 use std::path::{Component, Path, PathBuf};
 
 use super::markdown::{Page, Reference};
-use super::pages::pages_below;
+use super::pages::{SUMMARY, pages_below};
 use crate::failure::{Failure, Result};
 use crate::place::Place;
 
@@ -14,7 +14,8 @@ pub(crate) fn faults(place: &Place) -> Result<Vec<String>> {
     let source = place.at("book/src");
     let mut pages = Pages::default();
     let mut faults = Vec::new();
-    for page in pages_below(&source)? {
+    // The contents are compared with the pages elsewhere.
+    for page in pages_below(&source)?.into_iter().filter(|page| !page.ends_with(SUMMARY)) {
         faults.extend(pages.faults_of(place.root(), &page, &source)?);
     }
     for readme in readmes(place)? {

@@ -26,6 +26,7 @@ impl Page {
     /// Reads a page: links and pictures of Markdown and of HTML, mdBook's `{{#include …}}`, and headings.
     pub(crate) fn read(text: &str) -> Self {
         let mut page = Self::default();
+        let mut in_comment = false;
         let mut heading: Option<(Option<String>, String)> = None;
         let options =
             Options::ENABLE_TABLES | Options::ENABLE_FOOTNOTES | Options::ENABLE_STRIKETHROUGH | Options::ENABLE_HEADING_ATTRIBUTES;
@@ -33,7 +34,9 @@ impl Page {
             let line = || 1 + text[..range.start].matches('\n').count();
             match event {
                 Event::Start(Tag::Link { dest_url, .. } | Tag::Image { dest_url, .. }) => page.refer(line(), &dest_url),
-                Event::Html(html) | Event::InlineHtml(html) => html_targets(&html).for_each(|target| page.refer(line(), target)),
+                Event::Html(html) | Event::InlineHtml(html) => {
+                    html_targets(&without_comments(&html, &mut in_comment)).for_each(|target| page.refer(line(), target));
+                }
                 Event::Start(Tag::Heading { id, .. }) => heading = Some((id.map(|id| id.to_string()), String::new())),
                 Event::End(TagEnd::Heading(_)) => {
                     if let Some((id, content)) = heading.take() {
@@ -77,9 +80,24 @@ fn slug(heading: &str) -> String {
     heading.trim().to_lowercase().chars().filter_map(letter).collect()
 }
 
-/// The values of `src` and `href` in a piece of HTML that is not a comment.
+/// What of a piece of HTML lies outside comments. Pieces are lines, so `in_comment` carries an open one on.
+fn without_comments(html: &str, in_comment: &mut bool) -> String {
+    let mut outside = String::new();
+    let mut rest = html;
+    while !rest.is_empty() {
+        let mark = if *in_comment { "-->" } else { "<!--" };
+        let (before, after) = rest.split_once(mark).map_or((rest, None), |(before, after)| (before, Some(after)));
+        if !*in_comment {
+            outside.push_str(before);
+        }
+        *in_comment ^= after.is_some();
+        rest = after.unwrap_or("");
+    }
+    outside
+}
+
+/// The values of `src` and `href` in a piece of HTML.
 fn html_targets(html: &str) -> impl Iterator<Item = &str> {
-    let html = if html.trim_start().starts_with("<!--") { "" } else { html };
     ["src=\"", "href=\""].into_iter().flat_map(move |name| html.split(name).skip(1).filter_map(|rest| Some(rest.split_once('"')?.0)))
 }
 
@@ -111,6 +129,8 @@ mod tests {
 
     #[test]
     fn code_and_comments_are_not_links() {
+        let comment = "<!-- picture:\n<img src=\"a.png\">\n--> <img src=\"b.png\">\n";
+        assert_eq!(targets(comment), [(3, "b.png".to_owned())]);
         assert_eq!(targets("`[a](b.md)`\n\n<!-- picture: <img src=\"a.png\"> -->\n\n```md\n[a](b.md)\n```\n\\{{#include x.rs}}"), []);
     }
 

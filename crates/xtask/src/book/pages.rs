@@ -8,7 +8,7 @@ use super::markdown::Page;
 use crate::failure::{Failure, Result};
 
 /// The book's contents.
-const SUMMARY: &str = "SUMMARY.md";
+pub(crate) const SUMMARY: &str = "SUMMARY.md";
 
 /// Compares `SUMMARY.md` with the pages in the folder `source` and below. A line for each fault.
 pub(crate) fn faults(source: &Path) -> Result<Vec<String>> {
