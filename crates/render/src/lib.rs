@@ -1,1 +1,87 @@
-//! render
+//! Shells, fins and skin drawn with wgpu: Lengyel, Praun, Finkelstein and Hoppe 2001, *Real-time fur over arbitrary surfaces*, on the
+//! graphics processor.
+//!
+//! [`Renderer`] draws a [`pelage_coat::Coat`] into a render pass of yours: your device, your target, your depth buffer, your camera.
+//! [`Offscreen`] and [`render_picture`] do it without a window, on an adapter that [`Headless`] finds, and give back pixels and figures.
+//!
+//! # Convention
+//! Everything is in coat coordinates ([`pelage_coat`]); a model matrix belongs into [`Viewpoint::clip_from_coat`], with eye and light
+//! carried over. Depth is reversed (1 near, 0 far) unless the [`Target`] says otherwise. Alpha is premultiplied, blending is linear: use a
+//! target in an sRGB or a float format. Where light comes from and what fur makes of it is [`pelage_lighting::Shading`]; the shaders
+//! compute the same formula in `f32`, which a test holds them to.
+//!
+//! # A frame
+//! Surface, fins, shells, in this order (section 2.3): the skin writes depth; the fins near the silhouette test depth; the layers, innermost
+//! first, test and, as told, write it. Layer *k* of *N* stands at *c_v · k / (N − 1)*; layer 0 is the skin.
+//!
+//! # Example
+//! A picture of a bare triangle, without a window:
+//! ```
+//! use std::sync::Arc;
+//!
+//! use glam::{DVec3, Vec2, Vec3};
+//! use pelage_coat::{Background, Camera, Coat, FinEdges, Frame, Light, MipImage, PatchMesh, ShellTexture, Surface};
+//! use pelage_render::{Headless, View, render_picture};
+//!
+//! # fn main() -> Result<(), pelage_render::RenderError> {
+//! let coat = Coat {
+//!     frame: Frame { centre: DVec3::ZERO, diameter: 1.0 },
+//!     surface: Surface {
+//!         positions: vec![Vec3::ZERO, Vec3::X, Vec3::Y],
+//!         normals: vec![Vec3::Z; 3],
+//!         offsets: vec![Vec3::ZERO; 3],
+//!         directions: vec![Vec3::Z; 3],
+//!         colours: vec![Vec3::ONE; 3],
+//!     },
+//!     patches: PatchMesh {
+//!         vertices: vec![0, 1, 2],
+//!         coordinates: vec![Vec2::ZERO, Vec2::X, Vec2::Y],
+//!         faces: vec![[0, 1, 2]],
+//!         patch_ends: vec![1],
+//!     },
+//!     edges: FinEdges::default(),
+//!     shells: Arc::new(ShellTexture { layers: 1, mips: vec![MipImage { width: 1, height: 1, texels: vec![180, 140, 120, 255] }] }),
+//!     fin: None,
+//! };
+//! let camera = Camera { eye: 3.0 * Vec3::Z, target: Vec3::ZERO, up: Vec3::Y, field_of_view: 0.8, near: 0.1 };
+//! let light = Light { direction: Vec3::Z, colour: Vec3::ONE, sky: Vec3::splat(0.3), ground: Vec3::splat(0.1) };
+//! let background = Background { top: Vec3::splat(0.2), bottom: Vec3::splat(0.1) };
+//!
+//! let headless = Headless::new()?;
+//! let picture = render_picture(&headless, &coat, &View::new(camera, light), (64, 48), 4, &background)?;
+//! assert_eq!(picture.rgba.len(), 64 * 48 * 4);
+//! assert!(picture.coverage.contains(&255) && picture.coverage.contains(&0));
+//! # Ok(())
+//! # }
+//! ```
+
+mod attachments;
+mod background;
+mod error;
+mod fins;
+mod gpu_coat;
+mod headless;
+mod limits;
+mod offscreen;
+mod pack;
+mod picture;
+mod pipelines;
+mod readback;
+mod renderer;
+mod target;
+mod textures;
+mod timing;
+mod uniforms;
+mod view;
+
+pub use error::RenderError;
+pub use fins::{FinEdge, fin_edges, fin_opacity};
+pub use gpu_coat::GpuCoat;
+pub use headless::{AdapterSummary, Headless};
+pub use offscreen::{Offscreen, render_picture};
+pub use picture::{FrameStats, Picture};
+pub use renderer::{PreparedView, Renderer};
+pub use target::Target;
+pub use textures::GpuTextures;
+pub use timing::{FrameTimes, PassTimes};
+pub use view::{LightingMode, Options, ShellDepth, ShellRange, View, Viewpoint};

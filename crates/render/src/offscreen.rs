@@ -1,0 +1,185 @@
+//! Pictures without a window.
+
+use std::time::Instant;
+
+use pelage_coat::{Background, Coat};
+use wgpu::{CommandEncoder, CommandEncoderDescriptor, TextureFormat};
+
+use crate::attachments::{Attachments, Place};
+use crate::background::BackgroundPass;
+use crate::timing::PassTimer;
+use crate::{
+    FrameStats, FrameTimes, GpuCoat, Headless, Picture, PreparedView, RenderError, Renderer, Target, View, Viewpoint, limits, readback,
+};
+
+/// Frames before the clock runs: the first compiles shaders, the next fill caches.
+const WARM_UP: u32 = 3;
+
+/// A renderer with a target of its own, for any number of frames of one size.
+#[derive(Debug)]
+pub struct Offscreen {
+    headless: Headless,
+    renderer: Renderer,
+    background: BackgroundPass,
+    size: (u32, u32),
+    /// None for a picture without pixels.
+    attachments: Option<Attachments>,
+    timer: Option<PassTimer>,
+}
+
+/// Draws one picture: uploads, draws, reads back. For several of one coat or size use [`Offscreen`].
+///
+/// # Errors
+/// Those of [`Offscreen::new`], [`Offscreen::upload`] and [`Offscreen::render`].
+pub fn render_picture(
+    headless: &Headless,
+    coat: &Coat,
+    view: &View,
+    size: (u32, u32),
+    samples: u32,
+    background: &Background,
+) -> Result<Picture, RenderError> {
+    let offscreen = Offscreen::new(headless, size, samples)?;
+    offscreen.render(&offscreen.upload(coat)?, view, background)
+}
+
+impl Offscreen {
+    /// A target of `size`, width and height in pixels (zero is fine), with 1 or 4 `samples` a pixel.
+    ///
+    /// # Errors
+    /// A size beyond the device's limits, another number of samples, a validation error.
+    pub fn new(headless: &Headless, size: (u32, u32), samples: u32) -> Result<Self, RenderError> {
+        let target = Target::new(TextureFormat::Rgba8UnormSrgb, samples);
+        let supported = |format| headless.adapter().get_texture_format_features(format).flags.sample_count_supported(samples);
+        if !(matches!(samples, 1 | 4) && supported(target.colour) && supported(target.depth)) {
+            return Err(RenderError::Samples { samples });
+        }
+        let device = headless.device();
+        limits::check_picture(&device.limits(), size)?;
+        let offscreen = Self {
+            headless: headless.clone(),
+            renderer: Renderer::new(device, headless.queue(), target),
+            background: BackgroundPass::new(device, target),
+            size,
+            attachments: (size.0 > 0 && size.1 > 0).then(|| Attachments::new(device, target, size)),
+            timer: PassTimer::new(device),
+        };
+        headless.check()?;
+        Ok(offscreen)
+    }
+
+    /// The renderer, to upload or prepare with.
+    pub fn renderer(&self) -> &Renderer {
+        &self.renderer
+    }
+
+    /// As [`Renderer::upload`].
+    ///
+    /// # Errors
+    /// As there.
+    pub fn upload(&self, coat: &Coat) -> Result<GpuCoat, RenderError> {
+        self.renderer.upload(self.headless.device(), self.headless.queue(), coat)
+    }
+
+    /// Draws a frame and reads it back.
+    ///
+    /// # Errors
+    /// Those of [`Renderer::prepare`]; a validation error; a lost device.
+    pub fn render(&self, coat: &GpuCoat, view: &View, background: &Background) -> Result<Picture, RenderError> {
+        let (width, height) = self.size;
+        let Some(attachments) = &self.attachments else {
+            return Ok(Picture { width, height, rgba: Vec::new(), coverage: Vec::new(), frame: FrameStats::default() });
+        };
+        let prepared = self.prepare(coat, view, background)?;
+        let device = self.headless.device();
+        let stride = readback::row_stride(width);
+        let buffer = readback::readable(device, u64::from(stride) * u64::from(height));
+        let mut encoder = self.encoder();
+        self.encode(&mut encoder, attachments, coat, &prepared, self.timer.as_ref());
+        readback::copy_pixels(&mut encoder, &attachments.pixels, &buffer);
+        self.headless.queue().submit([encoder.finish()]);
+        // A refused frame leaves nothing to read.
+        self.headless.check()?;
+        let pixels = readback::read(device, &buffer, <[u8]>::to_vec)?;
+        let passes = self.timer.as_ref().map(|timer| timer.read(device, self.headless.queue())).transpose()?;
+        self.headless.check()?;
+        let frame = FrameStats {
+            shells_drawn: prepared.shell_count(),
+            fins_drawn: prepared.fin_count(coat),
+            fins_considered: prepared.fins_considered(coat),
+            triangles: prepared.triangle_count(coat),
+            passes,
+        };
+        let rows = pixels.chunks(stride as usize).flat_map(|row| &row[..4 * width as usize]);
+        let mut rgba: Vec<u8> = rows.copied().collect();
+        let coverage = rgba.chunks_exact(4).map(|pixel| pixel[3]).collect();
+        rgba.chunks_exact_mut(4).for_each(|pixel| pixel[3] = 255);
+        Ok(Picture { width, height, rgba, coverage, frame })
+    }
+
+    /// Draws a frame `frames` times after a warm-up, each to its end, and says how long that took.
+    ///
+    /// # Errors
+    /// Those of [`Offscreen::render`].
+    pub fn time(&self, coat: &GpuCoat, view: &View, background: &Background, frames: u32) -> Result<FrameTimes, RenderError> {
+        let Some(attachments) = &self.attachments else { return Ok(FrameTimes::default()) };
+        let prepared = self.prepare(coat, view, background)?;
+        let (device, queue) = (self.headless.device(), self.headless.queue());
+        let draw = |timer: Option<&PassTimer>| {
+            let start = Instant::now();
+            let mut encoder = self.encoder();
+            self.encode(&mut encoder, attachments, coat, &prepared, timer);
+            queue.submit([encoder.finish()]);
+            readback::wait(device)?;
+            Ok::<f64, RenderError>(start.elapsed().as_secs_f64() * 1e3)
+        };
+        (0..WARM_UP).try_for_each(|_| draw(None).map(|_| ()))?;
+        let times = (0..frames).map(|_| draw(None)).collect::<Result<Vec<f64>, _>>()?;
+        let passes = self.timer.as_ref().map_or(Ok(Vec::new()), |timer| {
+            (0..frames).map(|_| draw(Some(timer)).and_then(|_| timer.read(device, queue))).collect::<Result<Vec<_>, _>>()
+        })?;
+        self.headless.check()?;
+        Ok(FrameTimes::of(times, &passes))
+    }
+
+    fn encoder(&self) -> CommandEncoder {
+        self.headless.device().create_command_encoder(&CommandEncoderDescriptor { label: Some("picture") })
+    }
+
+    fn prepare(&self, coat: &GpuCoat, view: &View, background: &Background) -> Result<PreparedView, RenderError> {
+        self.background.set(self.headless.queue(), background)?;
+        let viewpoint = Viewpoint::of(&view.camera, self.size.0 as f32 / self.size.1 as f32);
+        self.renderer.prepare(self.headless.device(), self.headless.queue(), coat, view, &viewpoint)
+    }
+
+    /// One pass, or three of them if they are timed.
+    fn encode(
+        &self,
+        encoder: &mut CommandEncoder,
+        attachments: &Attachments,
+        coat: &GpuCoat,
+        view: &PreparedView,
+        timer: Option<&PassTimer>,
+    ) {
+        let Some(timer) = timer else {
+            let mut pass = attachments.pass(encoder, "frame", Place { first: true, last: true }, None);
+            self.background.draw(&mut pass);
+            self.renderer.draw(&mut pass, coat, view);
+            return;
+        };
+        {
+            let mut pass = attachments.pass(encoder, "surface", Place { first: true, last: false }, Some(timer.writes(0)));
+            self.background.draw(&mut pass);
+            self.renderer.draw_surface(&mut pass, coat, view);
+        }
+        {
+            let mut pass = attachments.pass(encoder, "fins", Place { first: false, last: false }, Some(timer.writes(1)));
+            self.renderer.draw_fins(&mut pass, coat, view);
+        }
+        {
+            let mut pass = attachments.pass(encoder, "shells", Place { first: false, last: true }, Some(timer.writes(2)));
+            self.renderer.draw_shells(&mut pass, coat, view);
+        }
+        timer.resolve(encoder);
+    }
+}

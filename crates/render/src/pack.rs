@@ -1,0 +1,143 @@
+//! Vertex arrays as the shaders read them; mirrors common.wgsl.
+//!
+//! Per surface vertex 40 bytes, shared by surface, shells and fins: what never moves (position, normal), what combing and motion rewrite
+//! (offset, hair direction) and the colour, each an array of its own. Per patch vertex 12: which surface vertex, and where on the tile.
+
+use glam::{Vec2, Vec3};
+use pelage_coat::{Coat, FinEdges, PatchMesh, Surface};
+
+/// A patch vertex.
+#[repr(C)]
+#[derive(Clone, Copy, Debug, bytemuck::Pod, bytemuck::Zeroable)]
+pub(crate) struct TileVertex {
+    /// The surface vertex under it.
+    pub(crate) index: u32,
+    /// Tile coordinates.
+    pub(crate) tile: [f32; 2],
+}
+
+/// Positions and normals.
+pub(crate) fn skin(surface: &Surface) -> Vec<[u32; 4]> {
+    surface.positions.iter().zip(&surface.normals).map(|(&position, &normal)| with_direction(position, normal)).collect()
+}
+
+/// Offsets and hair directions.
+pub(crate) fn fur(surface: &Surface) -> Vec<[u32; 4]> {
+    surface.offsets.iter().zip(&surface.directions).map(|(&offset, &direction)| with_direction(offset, direction)).collect()
+}
+
+/// Colours as half floats, which keep the darks and take values above 1.
+pub(crate) fn colours(surface: &Surface) -> Vec<[u32; 2]> {
+    let pair = |a: f32, b: f32| u32::from(half(a)) | u32::from(half(b)) << 16;
+    surface.colours.iter().map(|c| [pair(c.x, c.y), pair(c.z, 0.0)]).collect()
+}
+
+/// Patch vertices.
+pub(crate) fn tiles(patches: &PatchMesh) -> Vec<TileVertex> {
+    patches.vertices.iter().zip(&patches.coordinates).map(|(&index, tile)| TileVertex { index, tile: tile.to_array() }).collect()
+}
+
+/// The faces of which a corner has fur, in their order.
+pub(crate) fn furred_faces(coat: &Coat) -> Vec<[u32; 3]> {
+    let furred = |corner: &u32| coat.surface.offsets[coat.patches.vertices[*corner as usize] as usize] != Vec3::ZERO;
+    coat.patches.faces.iter().filter(|face| face.iter().any(furred)).copied().collect()
+}
+
+/// Edges: ends and interval; first normal and curvature; second normal.
+pub(crate) fn edges(edges: &FinEdges) -> Vec<[[u32; 4]; 3]> {
+    (0..edges.vertices.len())
+        .map(|e| {
+            let ([a, b], [from, to], [n, m]) = (edges.vertices[e], edges.intervals[e], edges.face_normals[e]);
+            [[a, b, from.to_bits(), to.to_bits()], with_bits(n, edges.curvatures[e].to_bits()), with_bits(m, 0)]
+        })
+        .collect()
+}
+
+fn with_direction(v: Vec3, direction: Vec3) -> [u32; 4] {
+    with_bits(v, octahedral(direction))
+}
+
+fn with_bits(v: Vec3, bits: u32) -> [u32; 4] {
+    [v.x.to_bits(), v.y.to_bits(), v.z.to_bits(), bits]
+}
+
+/// A direction as two signed 16-bit coordinates on an unfolded octahedron (Meyer et al. 2010); off by less than 1e-4. Zero becomes +z.
+fn octahedral(direction: Vec3) -> u32 {
+    let size = direction.abs().element_sum();
+    if !(size > 0.0 && size.is_finite()) {
+        return 0;
+    }
+    let d = direction / size;
+    let upper = Vec2::new(d.x, d.y);
+    let sign = |x: f32| if x >= 0.0 { 1.0 } else { -1.0 };
+    let e = if d.z >= 0.0 { upper } else { Vec2::new((1.0 - d.y.abs()) * sign(d.x), (1.0 - d.x.abs()) * sign(d.y)) };
+    let snorm = |x: f32| u32::from((x.clamp(-1.0, 1.0) * 32767.0).round() as i16 as u16);
+    snorm(e.x) | snorm(e.y) << 16
+}
+
+/// The nearest half float, ties to even; too large becomes the largest there is, NaN becomes 0.
+pub(crate) fn half(value: f32) -> u16 {
+    if value.is_nan() {
+        return 0;
+    }
+    let sign = if value.is_sign_negative() { 0x8000 } else { 0 };
+    let magnitude = value.abs().min(65504.0);
+    // One unit in the last place of a half: 2^(exponent − 10), and 2^−24 below its normal range.
+    let exponent = (((magnitude.to_bits() >> 23) as i32) - 127).max(-14);
+    let steps = (magnitude * (2.0_f32).powi(10 - exponent)).round_ties_even() as u16;
+    // A normal number has its leading step, 2^10, in the exponent field, where it adds one; so does rounding up to the next power.
+    let bits = ((exponent + 14) as u16) << 10;
+    sign | (bits + steps)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn unpack_half(bits: u16) -> f32 {
+        let (sign, exponent, fraction) = (if bits >> 15 == 1 { -1.0 } else { 1.0 }, i32::from(bits >> 10 & 31), f32::from(bits & 1023));
+        sign * if exponent == 0 { fraction * 2.0_f32.powi(-24) } else { (1.0 + fraction / 1024.0) * 2.0_f32.powi(exponent - 15) }
+    }
+
+    /// What unpack_direction of common.wgsl does.
+    fn unpack_direction(packed: u32) -> Vec3 {
+        let snorm = |bits: u32| (f32::from(bits as u16 as i16) / 32767.0).max(-1.0);
+        let e = Vec2::new(snorm(packed & 0xffff), snorm(packed >> 16));
+        let z = 1.0 - e.x.abs() - e.y.abs();
+        let fold = (-z).max(0.0);
+        let shift = |x: f32| if x >= 0.0 { x - fold } else { x + fold };
+        Vec3::new(shift(e.x), shift(e.y), z).normalize()
+    }
+
+    #[test]
+    fn every_half_comes_back() {
+        for bits in (0..0x7c00).chain(0x8000..0xfc00) {
+            assert_eq!(half(unpack_half(bits)), bits, "{bits:#x} {}", unpack_half(bits));
+        }
+    }
+
+    #[test]
+    fn halves_round_to_nearest_even_and_stay_finite() {
+        assert_eq!(half(1.0 + 1.0 / 2048.0), half(1.0));
+        assert_eq!(half(1.0 + 3.0 / 2048.0), half(1.0 + 2.0 / 1024.0));
+        assert_eq!(half(0.1 * 2.0_f32.powi(-24)), 0);
+        assert_eq!(half(f32::INFINITY), 0x7bff);
+        assert_eq!(half(-1e30), 0xfbff);
+        assert_eq!(half(f32::NAN), 0);
+    }
+
+    #[test]
+    fn directions_come_back() {
+        let axes = [Vec3::X, Vec3::Y, Vec3::Z, -Vec3::X, -Vec3::Y, -Vec3::Z];
+        let spiral = (0..10_000).map(|i| {
+            let (z, turn) = (1.0 - (i as f32 + 0.5) / 5000.0, i as f32 * 2.399_963);
+            let ring = (1.0 - z * z).sqrt();
+            Vec3::new(ring * turn.cos(), ring * turn.sin(), z)
+        });
+        for direction in axes.into_iter().chain(spiral) {
+            let back = unpack_direction(octahedral(direction));
+            assert!((back - direction).length() < 1e-4, "{direction} {back}");
+        }
+        assert_eq!(unpack_direction(octahedral(Vec3::ZERO)), Vec3::Z);
+    }
+}

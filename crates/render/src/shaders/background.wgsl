@@ -1,0 +1,24 @@
+// A vertical ramp behind everything, with alpha 0: what covers it makes the picture's coverage.
+
+struct Ramp {
+    top: vec4f,
+    bottom: vec4f,
+};
+
+@group(0) @binding(0) var<uniform> ramp: Ramp;
+
+struct Corner {
+    @builtin(position) position: vec4f,
+    @location(0) height: f32,
+};
+
+@vertex
+fn background_vertex(@builtin(vertex_index) corner: u32) -> Corner {
+    let at = vec2f(f32((corner << 1u) & 2u), f32(corner & 2u)) * 2.0 - 1.0;
+    return Corner(vec4f(at, 0.0, 1.0), 0.5 + 0.5 * at.y);
+}
+
+@fragment
+fn background_fragment(in: Corner) -> @location(0) vec4f {
+    return vec4f(mix(ramp.bottom.rgb, ramp.top.rgb, in.height), 0.0);
+}

@@ -1,0 +1,71 @@
+// pelage_lighting::Shading::shade in f32: the same terms under the same names, and the same guards. See there for the sources.
+
+override LIGHTING: u32 = 0u;  // 0: at vertices, 1: at pixels by formula, 2: at pixels by table
+
+// sin(angle)^(2 half_power) from the angle's cosine; clamped before the root, and pow(0, 0) = 1.
+fn sine_power(cosine: f32, half_power: f32) -> f32 {
+    let c = clamp(cosine, -1.0, 1.0);
+    return min(pow(max((1.0 - c) * (1.0 + c), 1e-30), half_power), 1.0);
+}
+
+// Where a cosine lies along an axis of the table.
+fn table_position(cosine: f32, by_angle: f32) -> f32 {
+    let c = clamp(cosine, -1.0, 1.0);
+    let angle = 1.0 - acos(c) * 0.318309886;
+    return select(0.5 + 0.5 * c, angle, by_angle > 0.5) * frame.table.x + frame.table.y;
+}
+
+// The diffuse and the specular factor for u = T·L and v = T·H.
+fn factors(u: f32, v: f32) -> vec2f {
+    if LIGHTING == 2u {
+        let at = vec2f(table_position(u, frame.table.z), table_position(v, frame.table.w));
+        return textureSampleLevel(factor_table, table_sampler, at, 0.0).xy;
+    }
+    return vec2f(sine_power(u, frame.diffuse.w), sine_power(v, frame.specular.w));
+}
+
+// H, and the weight that fades where |L + V| is lost in rounding.
+fn half_vector(view: vec3f) -> vec4f {
+    let sum = frame.light.xyz + view;
+    let size = length(sum);
+    return vec4f(sum / max(size, 1e-20), min(size * 1e3, 1.0));
+}
+
+fn floored(optical_depth: f32) -> f32 {
+    return frame.shadow.y + (1.0 - frame.shadow.y) * exp(-optical_depth);
+}
+
+fn hemisphere(normal: vec3f) -> vec3f {
+    return mix(frame.ground.xyz, frame.sky.xyz, clamp(0.5 + 0.5 * normal.y, 0.0, 1.0));
+}
+
+// Ka · hemisphere(N) · sky(depth).
+fn ambient_light(normal: vec3f, depth: f32) -> vec3f {
+    return frame.ambient.xyz * hemisphere(normal) * floored(frame.shadow.w * depth);
+}
+
+// shadow(depth, N·L) · facing(N·L) · light.
+fn direct_light(n_dot_l: f32, depth: f32) -> vec3f {
+    let t = clamp((n_dot_l - frame.facing.y) * frame.facing.z, 0.0, 1.0);
+    let facing = 1.0 + frame.facing.x * (t * t * (3.0 - 2.0 * t) - 1.0);
+    return frame.light_colour.xyz * facing * floored(frame.shadow.x * depth / max(n_dot_l, frame.shadow.z));
+}
+
+// Kd · diffuse + Ks · specular.
+fn reflected(factor: vec2f) -> vec3f {
+    return frame.diffuse.xyz * factor.x + frame.specular.xyz * factor.y;
+}
+
+// The light that a hair of albedo 1 sends from `position` to the eye.
+fn hair_light(position: vec3f, normal: vec3f, direction: vec3f, height: f32) -> vec3f {
+    let half = half_vector(normalize(frame.eye.xyz - position));
+    let factor = factors(dot(direction, frame.light.xyz), dot(direction, half.xyz));
+    let depth = 1.0 - height;
+    return ambient_light(normal, depth) + reflected(factor * vec2f(1.0, half.w)) * direct_light(dot(normal, frame.light.xyz), depth);
+}
+
+// The light that bare skin of albedo 1 sends out.
+fn skin_light(normal: vec3f) -> vec3f {
+    let n_dot_l = clamp(dot(normal, frame.light.xyz), 0.0, 1.0);
+    return frame.ambient.xyz * hemisphere(normal) + frame.diffuse.xyz * frame.light_colour.xyz * n_dot_l;
+}

@@ -1,0 +1,44 @@
+//! What is drawn into.
+
+use wgpu::{CompareFunction, DepthStencilState, MultisampleState, TextureFormat};
+
+/// The render pass that the pipelines are made for: a caller's, or [`crate::Offscreen`]'s.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Target {
+    /// Format of the colour attachment; sRGB or float, so that blending is linear. With plain `Unorm` colours come out too dark.
+    pub colour: TextureFormat,
+    /// Format of the depth attachment, which every pass tests.
+    pub depth: TextureFormat,
+    /// Depth 1 is near and 0 far, as [`pelage_coat::Camera`] projects; otherwise 0 is near.
+    pub reversed_depth: bool,
+    /// Samples a pixel.
+    pub samples: u32,
+}
+
+impl Target {
+    /// A target with reversed `Depth32Float`.
+    pub fn new(colour: TextureFormat, samples: u32) -> Self {
+        Self { colour, depth: TextureFormat::Depth32Float, reversed_depth: true, samples }
+    }
+
+    /// What clears the depth attachment.
+    pub fn clear_depth(&self) -> f32 {
+        if self.reversed_depth { 0.0 } else { 1.0 }
+    }
+
+    pub(crate) fn depth_state(&self, write: bool) -> DepthStencilState {
+        // "Or equal": a layer of little height may lie exactly on the skin.
+        let compare = if self.reversed_depth { CompareFunction::GreaterEqual } else { CompareFunction::LessEqual };
+        DepthStencilState {
+            format: self.depth,
+            depth_write_enabled: Some(write),
+            depth_compare: Some(compare),
+            stencil: wgpu::StencilState::default(),
+            bias: wgpu::DepthBiasState::default(),
+        }
+    }
+
+    pub(crate) fn multisample_state(&self) -> MultisampleState {
+        MultisampleState { count: self.samples, ..MultisampleState::default() }
+    }
+}
