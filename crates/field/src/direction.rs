@@ -1,20 +1,88 @@
 //! Tangent directions.
 
 use glam::DVec3;
-use pelage_mesh::{FaceId, Mesh, VertexId};
+use pelage_mesh::{FaceId, Mesh, VertexId, unit};
+
+use crate::FieldError;
+use crate::completion::{Completion, smooth_once};
+use crate::constraints::{Constraint, blend, checked_directions};
+use crate::transport::tangent_part;
 
 /// A unit tangent vector at each vertex, in model coordinates: which way the fur lies.
 ///
-/// Unreferenced vertices, and vertices where no direction could be found, hold zero.
+/// Tangent means across the mean of the faces' normals weighted by angle ([`Mesh::vertex_normals`]). Unreferenced vertices, and vertices
+/// whose normal vanishes, hold zero.
 #[derive(Clone, Debug, PartialEq)]
 pub struct DirectionField {
     vectors: Vec<DVec3>,
 }
 
 impl DirectionField {
-    /// Takes vectors as they are: unit and tangent, or zero.
-    pub(crate) fn from_unit_tangents(vectors: Vec<DVec3>) -> Self {
-        Self { vectors }
+    /// One direction for the whole model, in model coordinates and of any length, projected to the tangent plane at each vertex.
+    ///
+    /// Where the surface lies nearly across it ([`LEAST_PROJECTION`](crate::LEAST_PROJECTION)) the field is completed smoothly from its surroundings; a piece of
+    /// surface that lies across it altogether follows the coordinate axis of which most lies in the piece instead (x before y before z).
+    /// Near linear time.
+    ///
+    /// # Errors
+    /// Where the direction is zero or not finite, or the mesh has no faces.
+    ///
+    /// ```
+    /// use glam::DVec3;
+    /// let ball = pelage_mesh::sphere(1.0, 8)?;
+    /// let field = pelage_field::DirectionField::toward(&ball, DVec3::NEG_Y)?;
+    /// assert!(field.vectors().iter().all(|v| (v.length() - 1.0).abs() < 1e-9));
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn toward(mesh: &Mesh, direction: DVec3) -> Result<Self, FieldError> {
+        let wanted = unit(direction);
+        if wanted == DVec3::ZERO {
+            return Err(FieldError::NoDirection(direction));
+        }
+        Self::from_wanted(mesh, &vec![wanted; mesh.positions().len()], across(&[wanted]))
+    }
+
+    /// A few directions at places on the surface, spread over it (L2; Praun, Finkelstein and Hoppe 2000, section 4).
+    ///
+    /// At each vertex the constraints' unit vectors are averaged, each with a Gaussian of its distance: the shortest path along edges from the
+    /// vertex nearest to the constraint's place. `radius` is the Gaussians' standard deviation, as a fraction of the model's diameter, 0.001 to
+    /// 100: under the distance between constraints each rules its own surroundings, above it all are blended everywhere. The Gaussians are
+    /// divided by the greatest of them, so that no place is too far to be ruled by its nearest constraint. The mean is projected to the
+    /// tangent plane, scaled to unit length, and where it is too short for that ([`LEAST_PROJECTION`](crate::LEAST_PROJECTION)) completed smoothly.
+    ///
+    /// A piece of surface that holds no constraint follows the mean of all the constraints' vectors, or the first one if they cancel, as
+    /// [`DirectionField::toward`] does. Time is that of a Dijkstra walk for each constraint.
+    ///
+    /// # Errors
+    /// Where there are no constraints, a vector is zero, a number is not finite, the radius is out of range, or the mesh has no faces.
+    pub fn from_constraints(mesh: &Mesh, constraints: &[Constraint], radius: f64) -> Result<Self, FieldError> {
+        let directions = checked_directions(constraints, radius)?;
+        let tie_break = across(&directions);
+        Self::from_wanted(mesh, &blend(mesh, constraints, &directions, radius, tie_break)?, tie_break)
+    }
+
+    /// Projects a wanted vector at each vertex, at most 1 long, and completes what is left over.
+    fn from_wanted(mesh: &Mesh, wanted: &[DVec3], tie_break: DVec3) -> Result<Self, FieldError> {
+        if mesh.topology().face_count() == 0 {
+            return Err(FieldError::NoSurface);
+        }
+        let normals = mesh.vertex_normals();
+        Ok(Self { vectors: Completion::new(mesh, &normals, wanted, tie_break).finish(mesh) })
+    }
+
+    /// The field after rounds of smoothing, in each of which every vector is joined by the mean of its neighbours', brought to its tangent
+    /// plane. Singularities of opposite sign meet and vanish; 10 rounds take out noise of single vertices. Each round is linear.
+    ///
+    /// # Errors
+    /// Where the field is not of this mesh.
+    pub fn smoothed(&self, mesh: &Mesh, rounds: u32) -> Result<Self, FieldError> {
+        self.check(mesh)?;
+        let normals = mesh.vertex_normals();
+        let mut vectors = self.vectors.clone();
+        for _ in 0..rounds {
+            vectors = smooth_once(mesh.topology(), &normals, &vectors);
+        }
+        Ok(Self { vectors })
     }
 
     /// The vectors, one for each vertex.
@@ -31,8 +99,25 @@ impl DirectionField {
     /// The unit direction in the plane of a face: the mean of its corners' vectors, projected; zero where they cancel.
     pub fn on_face(&self, mesh: &Mesh, face: FaceId) -> DVec3 {
         let sum: DVec3 = mesh.topology().face_vertices(face).map(|v| self.at_vertex(v)).into_iter().sum();
-        let normal = mesh.face_normal(face);
-        let tangent = sum - normal * sum.dot(normal);
-        if tangent.length() > 1e-9 { tangent.normalize() } else { DVec3::ZERO }
+        let tangent = tangent_part(sum, mesh.face_normal(face));
+        if tangent.length() > 1e-9 { unit(tangent) } else { DVec3::ZERO }
     }
+
+    /// How many bytes it holds, for a cache to count.
+    pub fn byte_size(&self) -> usize {
+        size_of_val(self.vectors.as_slice())
+    }
+
+    pub(crate) fn check(&self, mesh: &Mesh) -> Result<(), FieldError> {
+        let (values, expected) = (self.vectors.len(), mesh.positions().len());
+        if values == expected { Ok(()) } else { Err(FieldError::Length { values, expected }) }
+    }
+}
+
+/// The coordinate axis that lies most across some directions; of equal ones the first.
+fn across(directions: &[DVec3]) -> DVec3 {
+    let along: DVec3 = directions.iter().map(|&d| d * d).sum();
+    // Up to rounding, so that directions that differ by it have the same axis.
+    let least = along.min_element() + 1e-9 * directions.len() as f64;
+    DVec3::AXES.into_iter().find(|axis| axis.dot(along) <= least).unwrap_or(DVec3::X)
 }

@@ -1,5 +1,52 @@
 //! Fields on a surface: one value for each vertex.
+//!
+//! [`ScalarField`] holds numbers such as lengths, [`ColourField`] colours in linear light, and [`DirectionField`] unit tangents: which way fur lies.
+//! A direction field comes from one direction for the whole model or from a few at chosen places, is unit and tangent everywhere, also
+//! where the given directions say nothing, and tells where it cannot be continuous ([`singularities`]).
+//!
+//! # Convention
+//! Everything is in the model's coordinates, and nothing depends on its scale: distances are measured in diameters
+//! ([`Mesh::diameter`](pelage_mesh::Mesh::diameter)). Results are the same bits on every run.
+//!
+//! ```
+//! use glam::DVec3;
+//! use pelage_field::{Constraint, DirectionField, ScalarField, singularities};
+//!
+//! let ball = pelage_mesh::sphere(1.0, 10)?;
+//! // Combed down on the right, up on the left.
+//! let constraints = [
+//!     Constraint { at: DVec3::X, along: DVec3::NEG_Y },
+//!     Constraint { at: DVec3::NEG_X, along: DVec3::Y },
+//! ];
+//! let field = DirectionField::from_constraints(&ball, &constraints, 0.25)?;
+//! // No field on a sphere is continuous: indices add up to 2.
+//! let indices = singularities(&ball, &field)?.iter().map(|s| s.index).sum::<i32>();
+//! assert_eq!(indices, 2);
+//! // Longer towards the top.
+//! let lengths = ScalarField::ramp(&ball, DVec3::Y, 0.01, 0.03)?;
+//! assert_eq!(lengths.values().len(), field.vectors().len());
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+//!
+//! # Sources
+//! E. Praun, A. Finkelstein, H. Hoppe: Lapped Textures, SIGGRAPH 2000 (spreading a few vectors). F. Knöppel, K. Crane, U. Pinkall, P. Schröder:
+//! Globally Optimal Direction Fields, SIGGRAPH 2013 (transport, indices, smoothness).
 
+mod colour;
+mod completion;
+mod constraints;
 mod direction;
+mod distance;
+mod error;
+mod image;
+mod scalar;
+mod singularity;
+mod transport;
 
+pub use colour::ColourField;
+pub use completion::LEAST_PROJECTION;
+pub use constraints::Constraint;
 pub use direction::DirectionField;
+pub use error::FieldError;
+pub use scalar::ScalarField;
+pub use singularity::{Singularity, boundary_turning, singularities};

@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use glam::{DVec2, DVec3};
 
-use crate::vector::{angle, unit};
+use crate::vector::{angle_between, unit};
 use crate::{FaceId, HalfEdgeId, Topology, TopologyError, VertexId};
 
 /// A triangle mesh: a shared [`Topology`], a position for each vertex in the model's own units, and texture coordinates if it has them.
@@ -161,7 +161,7 @@ impl Mesh {
     /// The angles of a face at its corners, in radians, 0 to π; they add up to π but for a face with a side of no length.
     pub fn corner_angles(&self, face: FaceId) -> [f64; 3] {
         let [a, b, c] = self.face_positions(face);
-        [angle(b - a, c - a), angle(c - b, a - b), angle(a - c, b - c)]
+        [angle_between(b - a, c - a), angle_between(c - b, a - b), angle_between(a - c, b - c)]
     }
 
     /// The vector from where a half-edge starts to where it ends.

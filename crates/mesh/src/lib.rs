@@ -20,3 +20,4 @@ pub use obj::{ObjError, ObjFault, parse_obj, read_obj};
 pub use primitives::{MOST_PRIMITIVE_FACES, PrimitiveError, plane, rounded_die, sphere, torus};
 pub use summary::Summary;
 pub use topology::{BrokenInvariant, Components, Topology, TopologyError};
+pub use vector::{angle_between, unit};

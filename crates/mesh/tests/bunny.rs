@@ -1,4 +1,5 @@
 //! The model that the project ships.
+#![allow(clippy::unwrap_used, clippy::print_stdout, reason = "a test may fail, and says what it leaves out")]
 
 use std::path::Path;
 

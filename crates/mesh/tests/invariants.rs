@@ -1,4 +1,5 @@
 //! What holds of every topology, however its faces and vertices are numbered.
+#![allow(clippy::unwrap_used, clippy::print_stdout, reason = "a test may fail, and says what it leaves out")]
 
 use glam::DVec3;
 use pelage_mesh::{HalfEdgeId, Mesh, Summary, Topology, TopologyError, plane, rounded_die, sphere, torus};

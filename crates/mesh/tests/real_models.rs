@@ -1,4 +1,5 @@
 //! Counts of scanned and modelled meshes, held against `real/topology.json` of the folder `PELAGE_MODELS`.
+#![allow(clippy::unwrap_used, clippy::print_stdout, reason = "a test may fail, and says what it leaves out")]
 
 use std::path::PathBuf;
 
@@ -59,7 +60,8 @@ fn counts_are_those_of_topology_json() {
         assert_eq!(model["chi"].as_i64(), Some(summary.euler_characteristic), "{name}");
         assert_eq!(model["genus"].as_f64(), Some(summary.genus as f64), "{name}");
         let diagonal = model["bbox_diag"].as_f64().unwrap();
-        assert!((summary.diameter - diagonal).abs() < 1e-9 * diagonal, "{name}: {} for {diagonal}", summary.diameter);
+        // Some files print fewer digits than the diagonal was worked out with.
+        assert!((summary.diameter - diagonal).abs() < 1e-7 * diagonal, "{name}: {} for {diagonal}", summary.diameter);
         assert_eq!(summary.faces_without_area, 0, "{name}");
         println!("{name}: {summary:?}");
     }

@@ -1,0 +1,64 @@
+//! Why there is no such field.
+
+/// Why a field cannot be made, and how to mend the input.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+#[non_exhaustive]
+pub enum FieldError {
+    /// The mesh has no faces.
+    #[error("the mesh has no faces, so there is nothing to lay a field on")]
+    NoSurface,
+    /// The one direction is zero or not finite.
+    #[error("the direction is {0}, which points nowhere; give a vector with a finite length other than 0")]
+    NoDirection(glam::DVec3),
+    /// There are no constraints.
+    #[error("there are no constraints; give at least one place with a direction")]
+    NoConstraints,
+    /// A constraint's direction is zero or not finite.
+    #[error("constraint {constraint} points along {along}, which is nowhere; give a vector with a finite length other than 0")]
+    ConstraintDirection {
+        /// The constraint, from 0.
+        constraint: usize,
+        /// Its direction.
+        along: glam::DVec3,
+    },
+    /// A constraint's place is not finite.
+    #[error("constraint {constraint} is at {at}, which is no place; mend its coordinates")]
+    ConstraintPlace {
+        /// The constraint, from 0.
+        constraint: usize,
+        /// Its place.
+        at: glam::DVec3,
+    },
+    /// The radius of the Gaussians is out of range.
+    #[error("the radius is {0}; give a fraction of the model's diameter from 0.001 to 100")]
+    Radius(f64),
+    /// A field has another number of values than the mesh has vertices, or than the field it is joined with.
+    #[error("{values} values where {expected} are needed, one for each vertex; make both for the same mesh")]
+    Length {
+        /// Values there are.
+        values: usize,
+        /// Values needed.
+        expected: usize,
+    },
+    /// A value is NaN or infinite.
+    #[error("the value at vertex {vertex} is not finite; mend the number or formula that it comes from")]
+    NotFinite {
+        /// The vertex.
+        vertex: usize,
+    },
+    /// An image is sampled for a mesh that has no texture coordinates.
+    #[error("the mesh has no texture coordinates to look an image up with; give each face corner a pair, or use a field without an image")]
+    NoTextureCoordinates,
+    /// An image's bytes do not fit its size.
+    #[error("an image of {width} × {height} RGBA8 pixels needs {expected} bytes and at least one pixel, not {bytes} bytes")]
+    ImageSize {
+        /// Pixels across.
+        width: u32,
+        /// Pixels down.
+        height: u32,
+        /// Bytes given.
+        bytes: usize,
+        /// Bytes needed.
+        expected: u64,
+    },
+}

@@ -1,0 +1,137 @@
+//! Where a direction field cannot be continuous, and how often it turns there.
+
+use std::f64::consts::{PI, TAU};
+
+use glam::{DVec2, DVec3};
+use pelage_mesh::{FaceId, HalfEdgeId, Mesh, VertexId, unit};
+
+use crate::{DirectionField, FieldError};
+
+/// A face around which the field turns.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Singularity {
+    /// The face that holds it.
+    pub face: FaceId,
+    /// How often the field turns anticlockwise, seen from outside, on one anticlockwise round: 1 for a source, sink or whirl, −1 for a saddle.
+    pub index: i32,
+}
+
+/// The singularities of a direction field, by face.
+///
+/// The index of a face is the field's turning along its three sides, each taken the short way, with what a vector turns that is transported
+/// without turning taken out, over 2π. Vectors are transported as in Knöppel et al. 2013: directions at a vertex are measured by the angles
+/// of its faces, stretched so that a full round is 2π. On a closed surface indices add up to χ whatever the field is, so that
+/// the sum says nothing; the places do. With boundary they add up to χ plus [`boundary_turning`]. A vertex without a vector counts as one along some fixed
+/// tangent. Linear time.
+///
+/// # Errors
+/// Where the field is not of this mesh.
+pub fn singularities(mesh: &Mesh, field: &DirectionField) -> Result<Vec<Singularity>, FieldError> {
+    let angles = Angles::new(mesh, field)?;
+    let singularity = |face: FaceId| {
+        let turning: f64 = face.half_edges().map(|h| angles.turning(h)).into_iter().sum();
+        let index = ((turning + angles.curvature(face)) / TAU).round() as i32;
+        (index != 0).then_some(Singularity { face, index })
+    };
+    Ok(mesh.topology().faces().filter_map(singularity).collect())
+}
+
+/// How often the field turns against the tangent of each boundary loop, walked with the surface on the left; in the order of
+/// [`Topology::boundary_loops`](pelage_mesh::Topology::boundary_loops).
+///
+/// # Errors
+/// Where the field is not of this mesh.
+pub fn boundary_turning(mesh: &Mesh, field: &DirectionField) -> Result<Vec<i32>, FieldError> {
+    let angles = Angles::new(mesh, field)?;
+    let turning = |walk: &Vec<HalfEdgeId>| {
+        let at_corner = |h: HalfEdgeId| angles.rounds[mesh.topology().origin(h).index()] - PI;
+        let total: f64 = walk.iter().map(|&h| angles.turning(h) + at_corner(h)).sum();
+        (total / TAU).round() as i32
+    };
+    Ok(mesh.topology().boundary_loops().iter().map(turning).collect())
+}
+
+/// Directions at vertices as angles.
+struct Angles<'a> {
+    mesh: &'a Mesh,
+    /// The corner at the origin of each half-edge, stretched.
+    corners: Vec<f64>,
+    /// The direction of each half-edge at its origin, from the first of the fan.
+    directions: Vec<f64>,
+    /// The field's direction at each vertex, likewise.
+    field: Vec<f64>,
+    /// What a round of each vertex's fan comes to: 2π inside, the sum of the angles on a boundary.
+    rounds: Vec<f64>,
+}
+
+impl<'a> Angles<'a> {
+    fn new(mesh: &'a Mesh, field: &DirectionField) -> Result<Self, FieldError> {
+        field.check(mesh)?;
+        let topology = mesh.topology();
+        let mut corners: Vec<f64> = topology.faces().flat_map(|face| mesh.corner_angles(face)).collect();
+        let mut directions = vec![0.0; corners.len()];
+        let mut rounds = vec![0.0; topology.vertex_count()];
+        let mut at_vertices = vec![0.0; topology.vertex_count()];
+        let normals = mesh.vertex_normals();
+        for vertex in topology.vertices() {
+            rounds[vertex.index()] = lay_out(mesh, vertex, &mut corners, &mut directions);
+            at_vertices[vertex.index()] = angle_of(mesh, vertex, normals[vertex.index()], field.at_vertex(vertex), &directions);
+        }
+        Ok(Self { mesh, corners, directions, field: at_vertices, rounds })
+    }
+
+    /// How much the field turns along a half-edge, −π to π, transport taken out; the other way round its negative exactly.
+    fn turning(&self, half_edge: HalfEdgeId) -> f64 {
+        let topology = self.mesh.topology();
+        match topology.twin(half_edge) {
+            Some(twin) if twin < half_edge => -self.turning_forwards(twin),
+            _ => self.turning_forwards(half_edge),
+        }
+    }
+
+    fn turning_forwards(&self, half_edge: HalfEdgeId) -> f64 {
+        let topology = self.mesh.topology();
+        let (from, to, next) = (topology.origin(half_edge), topology.tip(half_edge), half_edge.next());
+        let backwards = self.directions[next.index()] + self.corners[next.index()];
+        let transport = backwards + PI - self.directions[half_edge.index()];
+        let turning = self.field[to.index()] - self.field[from.index()] - transport;
+        turning - TAU * (turning / TAU).round()
+    }
+
+    /// What a vector turns that is transported around the face: the excess of its angles over π.
+    fn curvature(&self, face: FaceId) -> f64 {
+        face.half_edges().map(|h| self.corners[h.index()]).into_iter().sum::<f64>() - PI
+    }
+}
+
+/// Stretches the corners at an inner vertex to a full round, and gives each half-edge that leaves the vertex its angle. Returns the round.
+fn lay_out(mesh: &Mesh, vertex: VertexId, corners: &mut [f64], directions: &mut [f64]) -> f64 {
+    let topology = mesh.topology();
+    let total: f64 = topology.leaving(vertex).map(|h| corners[h.index()]).sum();
+    let stretch = if topology.is_boundary_vertex(vertex) || total <= 0.0 { 1.0 } else { TAU / total };
+    let mut direction = 0.0;
+    for h in topology.leaving(vertex) {
+        corners[h.index()] *= stretch;
+        directions[h.index()] = direction;
+        direction += corners[h.index()];
+    }
+    direction
+}
+
+/// The angle of a tangent vector in the layout of a vertex, which is turned so that its edges lie as near as can be to where they are seen
+/// along the normal.
+fn angle_of(mesh: &Mesh, vertex: VertexId, normal: DVec3, vector: DVec3, directions: &[f64]) -> f64 {
+    if vector == DVec3::ZERO {
+        return 0.0;
+    }
+    // Seen from the vector itself, so that its own angle is 0.
+    let sideways = normal.cross(vector);
+    let misfit = |h: HalfEdgeId| {
+        let edge = unit(mesh.edge_vector(h));
+        let seen = DVec2::new(edge.dot(vector), edge.dot(sideways));
+        let (sin, cos) = libm::sincos(directions[h.index()]);
+        DVec2::new(cos, -sin).rotate(seen)
+    };
+    let sum: DVec2 = mesh.topology().leaving(vertex).map(misfit).sum();
+    -libm::atan2(sum.y, sum.x)
+}
