@@ -1,5 +1,5 @@
 //! Time to tile tori of 1,000 to 100,000 faces, and to measure the tiling; items are faces.
-#![allow(missing_docs, reason = "divan makes a public item of each benchmark")]
+#![allow(missing_docs, clippy::unwrap_used, reason = "divan makes a public item of each benchmark; these settings are good")]
 
 use divan::Bencher;
 use divan::counter::ItemsCount;

@@ -1,4 +1,5 @@
 //! The limits on real models, at the default setting.
+#![allow(clippy::unwrap_used, clippy::panic, clippy::print_stdout, reason = "a test stops where it fails and says what it did not try")]
 
 mod common;
 
@@ -15,7 +16,7 @@ fn default_setting_keeps_the_limits() {
             let quality = common::check(&mesh, directions, &settings, &tiling);
             assert!(quality.stretch_p50 <= 1.15 && quality.stretch_p99 <= 2.0, "{name}: {quality:?}");
             assert!(quality.misalignment_deg_mean.is_none_or(|d| d < 12.0), "{name}: {quality:?}");
-            assert!(quality.tiny_patch_area < 0.06, "{name}: {quality:?}");
+            assert!(quality.tiny_patch_area < 0.03, "{name}: {quality:?}");
             if name.starts_with("t1_") && directions.is_some() {
                 assert!((150..=400).contains(&quality.patch_count), "{name}: {quality:?}");
             }

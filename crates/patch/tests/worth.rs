@@ -1,4 +1,5 @@
 //! The quality figures say what they should, and tell a tiling from what is none.
+#![allow(clippy::unwrap_used, clippy::panic, clippy::print_stdout, reason = "a test stops where it fails and says what it did not try")]
 
 mod common;
 
@@ -12,7 +13,7 @@ const TILE: f64 = 0.25;
 /// A plane as one patch whose coordinates are a linear map of the exact ones, (z, x) in tiles.
 fn mapped_plane(map: impl Fn(DVec2) -> DVec2) -> (Mesh, DirectionField, PatchTiling) {
     let mesh = plane(1.0, 1.0, 4, 4).unwrap();
-    let field = DirectionField::toward(&mesh, DVec3::X);
+    let field = DirectionField::toward(&mesh, DVec3::X).unwrap();
     let place = |_, v: VertexId| map(DVec2::new(mesh.position(v).z, mesh.position(v).x) / TILE);
     let tiling = PatchTiling::from_places(&mesh, TILE, &[0; 32], place).unwrap();
     (mesh, field, tiling)

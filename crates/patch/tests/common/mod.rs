@@ -72,7 +72,7 @@ pub(crate) fn manifold(positions: Vec<DVec3>, mut triangles: Vec<[u32; 3]>) -> M
 
 /// A field towards −z and a little down, as a coat lies on an animal that looks along +z.
 pub(crate) fn combed(mesh: &Mesh) -> DirectionField {
-    DirectionField::toward(mesh, DVec3::new(0.0, -0.3, -1.0))
+    DirectionField::toward(mesh, DVec3::new(0.0, -0.3, -1.0)).unwrap()
 }
 
 /// The clean models of the folder that `PELAGE_MODELS` names, by file name; none where it is unset. The one-sided Möbius strip is no
