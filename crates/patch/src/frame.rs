@@ -58,3 +58,52 @@ fn spread(mesh: &Mesh, shapes: &[FaceShape], found: &mut [Option<DVec2>]) {
 pub(crate) fn conjugate(rotation: DVec2) -> DVec2 {
     DVec2::new(rotation.x, -rotation.y)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::shape::face_shapes;
+
+    /// In space, the direction that each face was given.
+    fn in_space(mesh: &Mesh, found: &[Option<DVec2>]) -> Vec<DVec3> {
+        let space = |face: FaceId| {
+            let [x, y] = face_axes(mesh, face, 1.0);
+            found[face.index()].map_or(DVec3::ZERO, |t| t.x * x + t.y * y)
+        };
+        mesh.topology().faces().map(space).collect()
+    }
+
+    #[test]
+    fn one_direction_spreads_over_a_plane_unturned() {
+        let mesh = pelage_mesh::plane(3.0, 2.0, 7, 5).unwrap();
+        let shapes = face_shapes(&mesh, 1.0);
+        let mut found = vec![None; shapes.len()];
+        found[33] = Some(DVec2::from_angle(0.7));
+        spread(&mesh, &shapes, &mut found);
+        let directions = in_space(&mesh, &found);
+        assert!(directions.iter().all(|d| d.distance(directions[33]) < 1e-12));
+    }
+
+    #[test]
+    fn a_component_without_any_direction_gets_one() {
+        let mesh = pelage_mesh::rounded_die(1.0, 0.2, 5).unwrap();
+        let shapes = face_shapes(&mesh, 1.0);
+        let mut found = vec![None; shapes.len()];
+        spread(&mesh, &shapes, &mut found);
+        assert!(in_space(&mesh, &found).iter().all(|d| (d.length() - 1.0).abs() < 1e-12));
+    }
+
+    /// The rotation takes the field to t, (0, 1), and what lies to the right of it, seen from outside, to s.
+    #[test]
+    fn field_becomes_t() {
+        let mesh = pelage_mesh::plane(1.0, 1.0, 1, 1).unwrap();
+        let shapes = face_shapes(&mesh, 1.0);
+        let field = DirectionField::toward(&mesh, DVec3::X).unwrap();
+        for (face, rotation) in mesh.topology().faces().zip(face_rotations(&mesh, &field, &shapes, 1.0)) {
+            let [x, y] = face_axes(&mesh, face, 1.0);
+            let to_tile = |v: DVec3| rotation.rotate(DVec2::new(v.dot(x), v.dot(y)));
+            assert!(to_tile(DVec3::X).distance(DVec2::Y) < 1e-12);
+            assert!(to_tile(DVec3::Z).distance(DVec2::X) < 1e-12);
+        }
+    }
+}

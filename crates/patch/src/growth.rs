@@ -8,6 +8,7 @@ use pelage_mesh::{FaceId, HalfEdgeId, Topology, VertexId};
 
 use crate::disc::{Contact, Disc};
 use crate::distortion::Bounds;
+use crate::frame::conjugate;
 use crate::shape::FaceShape;
 use crate::solve::{Patchwork, Unsolved, Wish, solve};
 use crate::splotch::Splotch;
@@ -164,21 +165,36 @@ impl<'a> Grower<'a> {
             Contact::Side { side } => {
                 let [from, to, opposite] = [side, (side + 1) % 3, (side + 2) % 3];
                 let mut all = places.map(Option::unwrap_or_default);
-                all[opposite] = self.unfold(face, [from, to, opposite], [all[from], all[to]]);
+                all[opposite] = self.unfold(face, side, [all[from], all[to]]);
                 Some(all)
             }
         }
     }
 
-    /// The ideal place of a face's third corner, given its other two: turned as the common side is and as the field wants it, weighted as in
-    /// [`solve`].
-    fn unfold(&self, face: FaceId, [from, to, opposite]: [usize; 3], [start, end]: [DVec2; 2]) -> DVec2 {
-        let flat = &self.shapes[face.index()].corners;
-        let (side, image) = (flat[to] - flat[from], end - start);
-        let as_side = DVec2::new(side.dot(image), side.perp_dot(image));
-        let as_field = self.rotations.map_or(DVec2::ZERO, |r| self.alignment * side.length_squared() * r[face.index()]);
-        let rotation = (as_side + as_field).try_normalize().unwrap_or(DVec2::X);
-        0.5 * (start + end) + rotation.rotate(flat[opposite] - 0.5 * (flat[from] + flat[to]))
+    /// The ideal place of a face's third corner, given the other two, `side` and the next: turned as the face across that side, unfolded, and
+    /// as the field wants it, weighted as in [`solve`].
+    fn unfold(&self, face: FaceId, side: usize, [start, end]: [DVec2; 2]) -> DVec2 {
+        let shape = &self.shapes[face.index()];
+        let pull = self.rotations.map_or(DVec2::ZERO, |r| self.alignment * r[face.index()]);
+        let rotation = (self.unfolded_rotation(face, side) + pull).try_normalize().unwrap_or(DVec2::X);
+        let [from, to, opposite] = [side, (side + 1) % 3, (side + 2) % 3].map(|k| shape.corners[k]);
+        0.5 * (start + end) + rotation.rotate(opposite - 0.5 * (from + to))
+    }
+
+    /// The rotation of the face across a side, carried over that side. It is taken from all sides of that face, for a short side's image says
+    /// little: in a row of needles each error would be magnified by the next.
+    fn unfolded_rotation(&self, face: FaceId, side: usize) -> DVec2 {
+        let Some(twin) = self.topology.twin(face.half_edges()[side]) else { return DVec2::ZERO };
+        let across = twin.face();
+        let shape = &self.shapes[across.index()];
+        let places = self.topology.face_vertices(across).map(|v| self.disc.place(v).unwrap_or_default());
+        let rotation = (0..3).fold(DVec2::ZERO, |sum, k| {
+            let (flat, placed) = (shape.corners[(k + 1) % 3] - shape.corners[k], places[(k + 1) % 3] - places[k]);
+            sum + DVec2::new(flat.dot(placed), flat.perp_dot(placed))
+        });
+        let there = -shape.side_direction((twin.0 % 3) as usize);
+        let here = self.shapes[face.index()].side_direction(side);
+        conjugate(here).rotate(there).rotate(rotation.normalize_or_zero())
     }
 
     fn keeps_bounds(&self, face: FaceId, places: [DVec2; 3]) -> bool {

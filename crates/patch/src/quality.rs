@@ -190,5 +190,6 @@ fn percentile(ascending: &[f64], part: f64) -> f64 {
 }
 
 fn ratio(part: f64, whole: f64) -> f64 {
-    if whole > 0.0 { part / whole } else { 0.0 }
+    // An empty sum is −0.
+    if whole > 0.0 { (part / whole).max(0.0) } else { 0.0 }
 }

@@ -10,8 +10,10 @@ use glam::DVec2;
 
 use crate::shape::FaceShape;
 
-/// Greatest residual of the normal equations, relative to the greatest entry of the right-hand side.
+/// Greatest residual of the normal equations, relative to the greatest term of their right-hand side.
 const RESIDUAL: f64 = 1e-8;
+/// Most steps towards it: one does, but for slivers.
+const STEPS: usize = 4;
 /// Turns of choosing rotations and solving for them. More change the figures of whole tilings in the third digit only.
 const TURNS: usize = 4;
 
@@ -80,9 +82,8 @@ fn best_rotation(shape: &FaceShape, places: [DVec2; 3], pull: DVec2) -> DVec2 {
     (turning + size * pull).try_normalize().unwrap_or(DVec2::X)
 }
 
-/// The factorised Laplacian. The first vertex is held at the origin and its row left out, which makes it positive definite.
+/// The factorised Laplacian. The first vertex is held where it is and its row left out, which makes it positive definite.
 struct System {
-    matrix: SparseColMat<u32, f64>,
     symbolic: SymbolicCholesky<u32>,
     values: Vec<f64>,
 }
@@ -123,24 +124,26 @@ impl System {
                 Spec::default(),
             )
             .map_err(|_| Unsolved)?;
-        Ok(Self { matrix, symbolic, values })
+        Ok(Self { symbolic, values })
     }
 
-    /// Solves for the given rotations, s and t at once.
+    /// Solves for the given rotations, s and t at once, as a correction to the present places. What is missing is summed from differences
+    /// along sides, so that the places at the ends of a sliver's short side come out right to each other however far they lie from the
+    /// origin, and a step that leaves too much is simply repeated.
     fn place(&self, patch: &Patchwork<'_>, rotations: &[DVec2], places: &mut [DVec2]) -> Result<(), Unsolved> {
         let unknowns = places.len() - 1;
-        let wanted = right_hand_side(patch, rotations, places.len());
-        let mut solution = wanted.clone();
-        self.back_substitute(unknowns, &mut solution)?;
-        let residual = self.residual(unknowns, &wanted, &solution);
-        if largest(&residual) > RESIDUAL * largest(&wanted) {
-            return Err(Unsolved);
+        let mut missing = missing_pull(patch, rotations, places);
+        for _ in 0..STEPS {
+            self.back_substitute(unknowns, &mut missing.columns)?;
+            for (k, place) in places[1..].iter_mut().enumerate() {
+                *place += DVec2::new(missing.columns[k], missing.columns[unknowns + k]);
+            }
+            missing = missing_pull(patch, rotations, places);
+            if largest(&missing.columns) <= RESIDUAL * missing.size {
+                return Ok(());
+            }
         }
-        places[0] = DVec2::ZERO;
-        for (k, place) in places[1..].iter_mut().enumerate() {
-            *place = DVec2::new(solution[k], solution[unknowns + k]);
-        }
-        Ok(())
+        Err(Unsolved)
     }
 
     fn back_substitute(&self, unknowns: usize, columns: &mut [f64]) -> Result<(), Unsolved> {
@@ -153,41 +156,36 @@ impl System {
         );
         Ok(())
     }
-
-    /// Right-hand side less matrix times solution; the matrix holds its lower half.
-    fn residual(&self, unknowns: usize, wanted: &[f64], solution: &[f64]) -> Vec<f64> {
-        let mut residual = wanted.to_vec();
-        for entry in self.matrix.triplet_iter() {
-            let (row, column, value) = (entry.row, entry.col, *entry.val);
-            for offset in [0, unknowns] {
-                residual[offset + row] -= value * solution[offset + column];
-                if row != column {
-                    residual[offset + column] -= value * solution[offset + row];
-                }
-            }
-        }
-        residual
-    }
 }
 
-/// Two columns, s then t, without the row of the vertex that is held.
-fn right_hand_side(patch: &Patchwork<'_>, rotations: &[DVec2], vertex_count: usize) -> Vec<f64> {
-    let unknowns = vertex_count - 1;
-    let mut columns = vec![0.0; 2 * unknowns];
-    let mut add = |vertex: u32, pull: DVec2| {
+/// The residual of the normal equations.
+struct Pull {
+    /// Two columns, s then t, without the row of the vertex that is held.
+    columns: Vec<f64>,
+    /// The greatest weight times length of a side, to compare it with.
+    size: f64,
+}
+
+fn missing_pull(patch: &Patchwork<'_>, rotations: &[DVec2], places: &[DVec2]) -> Pull {
+    let unknowns = places.len() - 1;
+    let mut pull = Pull { columns: vec![0.0; 2 * unknowns], size: 0.0 };
+    let mut add = |vertex: u32, force: DVec2| {
         if let Some(row) = (vertex as usize).checked_sub(1) {
-            columns[row] += pull.x;
-            columns[unknowns + row] += pull.y;
+            pull.columns[row] += force.x;
+            pull.columns[unknowns + row] += force.y;
         }
     };
     for ((face, shape), rotation) in patch.corners.iter().zip(patch.shapes).zip(rotations) {
         for [i, j, opposite] in SIDES {
-            let pull = shape.weights[opposite] * rotation.rotate(shape.corners[i] - shape.corners[j]);
-            add(face[i], pull);
-            add(face[j], -pull);
+            let flat = shape.corners[i] - shape.corners[j];
+            let placed = places[face[i] as usize] - places[face[j] as usize];
+            let force = shape.weights[opposite] * (rotation.rotate(flat) - placed);
+            add(face[i], force);
+            add(face[j], -force);
+            pull.size = pull.size.max(shape.weights[opposite].abs() * flat.length());
         }
     }
-    columns
+    pull
 }
 
 fn largest(values: &[f64]) -> f64 {

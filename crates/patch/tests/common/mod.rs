@@ -1,0 +1,90 @@
+//! What the tests share.
+#![allow(dead_code, reason = "each test file uses its own part")]
+
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+
+use glam::DVec3;
+use pelage_field::DirectionField;
+use pelage_mesh::{Mesh, Topology, TopologyError, read_obj};
+use pelage_patch::{PatchTiling, Quality, Settings, grow};
+
+/// Grows a tiling and checks everything that holds by construction.
+pub(crate) fn tile(mesh: &Mesh, directions: Option<&DirectionField>, settings: &Settings) -> PatchTiling {
+    let tiling = grow(mesh, directions, settings).unwrap();
+    check(mesh, directions, settings, &tiling);
+    tiling
+}
+
+/// Every face in one patch, every patch a disc, nothing flipped, every bound kept, and the arrays in step.
+pub(crate) fn check(mesh: &Mesh, directions: Option<&DirectionField>, settings: &Settings, tiling: &PatchTiling) -> Quality {
+    check_arrays(mesh, tiling);
+    let quality = tiling.quality(mesh, directions);
+    assert_eq!(quality.faces_covered, mesh.topology().face_count());
+    assert!(quality.all_discs);
+    assert_eq!(quality.faces_flipped, 0);
+    assert!(quality.stretch_max <= settings.max_stretch * (1.0 + 1e-9), "{quality:?}");
+    if let Some(degrees) = quality.misalignment_deg_max {
+        assert!(degrees <= settings.max_turning.to_degrees() + 1e-6, "{quality:?}");
+    }
+    quality
+}
+
+fn check_arrays(mesh: &Mesh, tiling: &PatchTiling) {
+    assert_eq!(tiling.vertices().len(), tiling.coordinates().len());
+    assert_eq!(tiling.faces().len(), tiling.surface_faces().len());
+    assert!(tiling.coordinates().iter().all(|c| c.is_finite()));
+    let (mut faces, mut vertices) = (0, 0);
+    for (index, patch) in tiling.patches().iter().enumerate() {
+        assert_eq!((patch.faces().start, patch.vertices().start), (faces, vertices), "patches are contiguous");
+        (faces, vertices) = (patch.faces().end, patch.vertices().end);
+        for row in patch.faces() {
+            let surface = tiling.surface_faces()[row];
+            assert_eq!(tiling.patch_of_face()[surface.index()] as usize, index);
+            for (corner, under) in tiling.faces()[row].into_iter().zip(mesh.topology().face_vertices(surface)) {
+                assert!(patch.vertices().contains(&(corner as usize)));
+                assert_eq!(tiling.vertices()[corner as usize], under);
+            }
+        }
+        let mut under: Vec<_> = tiling.vertices()[patch.vertices()].to_vec();
+        under.sort();
+        under.dedup();
+        assert_eq!(under.len(), patch.vertices().len(), "a surface vertex comes once in a patch");
+    }
+    assert_eq!((faces, vertices), (tiling.faces().len(), tiling.vertices().len()));
+}
+
+/// The mesh with every position mapped.
+pub(crate) fn moved(mesh: &Mesh, map: impl Fn(DVec3) -> DVec3) -> Mesh {
+    Mesh::new(Arc::clone(mesh.topology()), mesh.positions().iter().map(|&p| map(p)).collect()).unwrap()
+}
+
+/// A mesh of what is left of some triangles when vertices at which several fans touch have lost their faces.
+pub(crate) fn manifold(positions: Vec<DVec3>, mut triangles: Vec<[u32; 3]>) -> Mesh {
+    loop {
+        match Topology::from_triangles(positions.len(), &triangles) {
+            Ok(topology) => return Mesh::new(Arc::new(topology), positions).unwrap(),
+            Err(TopologyError::NonManifoldVertex { vertex }) => triangles.retain(|t| !t.contains(&vertex)),
+            Err(other) => panic!("{other}"),
+        }
+    }
+}
+
+/// A field towards −z and a little down, as a coat lies on an animal that looks along +z.
+pub(crate) fn combed(mesh: &Mesh) -> DirectionField {
+    DirectionField::toward(mesh, DVec3::new(0.0, -0.3, -1.0)).unwrap()
+}
+
+/// The clean models of the folder that `PELAGE_MODELS` names, by file name; none where it is unset. The one-sided Möbius strip is no
+/// clean model: it has no outside.
+pub(crate) fn real_models() -> Vec<(String, Mesh)> {
+    let Some(folder) = std::env::var_os("PELAGE_MODELS") else {
+        println!("PELAGE_MODELS is not set: the real models are not tried");
+        return Vec::new();
+    };
+    let mut paths: Vec<PathBuf> = std::fs::read_dir(Path::new(&folder).join("real")).unwrap().map(|entry| entry.unwrap().path()).collect();
+    paths.retain(|p| p.extension().is_some_and(|e| e == "obj") && p.file_stem().is_some_and(|s| s != "moebius"));
+    paths.sort();
+    assert!(paths.len() >= 12, "{} of the 12 clean models are there", paths.len());
+    paths.iter().map(|p| (p.file_stem().unwrap().to_string_lossy().into_owned(), read_obj(p).unwrap())).collect()
+}
