@@ -1,1 +1,50 @@
-fn main() {}
+//! `pelage`: saved fur graphs, rendered and inspected headlessly.
+//!
+//! Exit codes: 0 done, 1 the input or the graph is wrong or evaluation failed, 2 wrong usage, 3 no graphics adapter.
+
+mod check;
+mod failure;
+mod graph;
+mod inspect;
+mod nodes;
+mod output;
+mod progress;
+mod render;
+
+use std::process::ExitCode;
+
+use clap::{Parser, Subcommand};
+
+/// Fur from saved node graphs.
+#[derive(Parser)]
+#[command(name = "pelage", version, about)]
+struct Arguments {
+    #[command(subcommand)]
+    command: Command,
+}
+
+#[derive(Subcommand)]
+enum Command {
+    /// Evaluate a graph's picture and write it.
+    Render(render::Render),
+    /// Validate graphs without evaluating them; every fault with line, column and node.
+    Check(check::Check),
+    /// The node reference.
+    Nodes(nodes::Nodes),
+    /// What is in a model: counts, genus, quality.
+    Inspect(inspect::Inspect),
+}
+
+fn main() -> ExitCode {
+    // clap itself answers wrong usage with exit code 2.
+    let done = match Arguments::parse().command {
+        Command::Render(command) => command.run(),
+        Command::Check(command) => command.run(),
+        Command::Nodes(command) => command.run(),
+        Command::Inspect(command) => command.run(),
+    };
+    match done {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(failure) => failure.report(),
+    }
+}

@@ -1,1 +1,54 @@
-//! nodes
+//! Every fur node: thin wrappers of the Pelage crates, and the only place where one crate's types become another's.
+//!
+//! [`registry`] lists the nodes; [`evaluator`] makes an engine that can draw. A program needs nothing else:
+//!
+//! ```
+//! use pelage_graph::{Evaluator, Graph, Request};
+//!
+//! let graph = Graph::parse(r#"Graph(
+//!     version: 1,
+//!     nodes: {
+//!         "ball":    Sphere(subdivisions: 3),
+//!         "patches": GrowPatches(mesh: "ball.mesh", tile_size: 0.2),
+//!     },
+//! )"#)?;
+//! let registry = pelage_nodes::registry();
+//! let checked = graph.check(&registry)?;
+//! let evaluation = Evaluator::new(64 << 20).run(&checked, &Request::output("patches.patches"))?;
+//! let tiling = evaluation.get::<pelage_patch::PatchTiling>("patches.patches")?;
+//! assert_eq!(tiling.patch_of_face().len(), 1280);
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+//!
+//! # Convention
+//! Lengths are fractions of the model's diameter (the diagonal of its bounding box) or of the hair tile's side, angles are degrees, and colours are sRGB as a person picks them;
+//! here they become what the crates take.
+//!
+//! # Features
+//! `gpu` (default): drawing. Without it every node but `RenderImage` evaluates, and nothing of wgpu is built.
+
+mod coat;
+mod fields;
+mod framing;
+mod hair;
+mod models;
+mod patches;
+#[cfg(feature = "gpu")]
+mod picture;
+mod registry;
+mod shading;
+mod stats;
+
+pub use coat::LayFur;
+pub use fields::{ColourRamp, DirectionConstraint, DirectionFieldNode, ImageField, ScalarRamp};
+pub use framing::{CameraNode, Framing};
+pub use hair::{FinDirection, GrowStrands, HairStyle, HairUndercoat, SampleFin, SampleShells};
+pub use models::{ObjFile, Plane, RoundedDie, Sphere, Torus};
+pub use patches::GrowPatches;
+#[cfg(feature = "gpu")]
+pub use pelage_render::{Picture, RenderError};
+#[cfg(feature = "gpu")]
+pub use picture::{DepthMode, FrameReport, Gpu, LightingAt, RenderImage};
+pub use registry::{evaluator, registry};
+pub use shading::{HairLightingNode, LightNode};
+pub use stats::Stats;

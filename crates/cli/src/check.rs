@@ -1,0 +1,36 @@
+//! `pelage check`.
+
+use std::path::PathBuf;
+
+use clap::Args;
+
+use crate::failure::Failure;
+use crate::graph::Overrides;
+
+#[derive(Args)]
+pub(crate) struct Check {
+    /// The graphs.
+    #[arg(required = true, value_name = "GRAPH.ron")]
+    graphs: Vec<PathBuf>,
+    #[command(flatten)]
+    overrides: Overrides,
+}
+
+impl Check {
+    pub(crate) fn run(&self) -> Result<(), Failure> {
+        let registry = pelage_nodes::registry();
+        let mut faults = Vec::new();
+        for path in &self.graphs {
+            let checked = self
+                .overrides
+                .read(path, &registry)
+                .and_then(|graph| graph.check(&registry).map(|_| ()).map_err(|faults| Failure::from(faults.with_path(path))));
+            match checked {
+                Ok(()) => {}
+                Err(Failure::Input(message)) => faults.push(message),
+                Err(other) => return Err(other),
+            }
+        }
+        if faults.is_empty() { Ok(()) } else { Err(Failure::Input(faults.join("\n"))) }
+    }
+}

@@ -1,0 +1,34 @@
+//! Reading a graph with the overrides of the command line.
+
+use std::path::{Path, PathBuf};
+
+use clap::Args;
+use pelage_graph::{Graph, ReadError, Registry};
+
+use crate::failure::Failure;
+
+/// What every command that reads a graph takes.
+#[derive(Args)]
+pub(crate) struct Overrides {
+    /// Override an input: NODE.INPUT=VALUE, VALUE in RON; a bare word is a string, a path is relative to the working directory. Repeatable.
+    #[arg(long = "set", value_name = "NODE.INPUT=VALUE")]
+    set: Vec<String>,
+}
+
+impl Overrides {
+    /// Reads a graph and applies the overrides.
+    pub(crate) fn read(&self, path: &Path, registry: &Registry) -> Result<Graph, Failure> {
+        let mut graph = Graph::read(path).map_err(|error| match error {
+            ReadError::Faults(faults) => Failure::from(faults),
+            other => Failure::Input(other.to_string()),
+        })?;
+        let here = std::env::current_dir().unwrap_or_else(|_| PathBuf::from("."));
+        for assignment in &self.set {
+            let Some((target, value)) = assignment.split_once('=') else {
+                return Err(Failure::Usage(format!("--set {assignment}: expected NODE.INPUT=VALUE")));
+            };
+            graph.set(registry, target, value, &here).map_err(|error| Failure::input(format!("--set {assignment}"), &error))?;
+        }
+        Ok(graph)
+    }
+}

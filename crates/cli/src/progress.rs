@@ -1,0 +1,56 @@
+//! How a run gets on: a bar on a terminal, nothing on a pipe.
+
+use std::io::{IsTerminal, Write};
+
+use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
+use pelage_graph::{Evaluation, NodeId, Observer, State, TraceEntry};
+
+/// Shows which node runs.
+pub(crate) struct Progress {
+    bar: ProgressBar,
+    verbose: bool,
+}
+
+impl Progress {
+    pub(crate) fn new(quiet: bool, verbose: bool) -> Self {
+        let hidden = quiet || verbose || !std::io::stderr().is_terminal();
+        let target = if hidden { ProgressDrawTarget::hidden() } else { ProgressDrawTarget::stderr() };
+        let bar = ProgressBar::with_draw_target(Some(0), target);
+        if let Ok(style) = ProgressStyle::with_template("{bar:30} {pos}/{len} {msg}") {
+            bar.set_style(style);
+        }
+        Self { bar, verbose }
+    }
+
+    /// Takes the bar away; says what each node did if asked to.
+    pub(crate) fn finish(&self, evaluation: &Evaluation) {
+        self.bar.finish_and_clear();
+        if self.verbose {
+            for entry in evaluation.trace() {
+                say(entry);
+            }
+        }
+    }
+}
+
+impl Observer for Progress {
+    fn started(&self, node: &NodeId, done: usize, total: usize) {
+        self.bar.set_length(total as u64);
+        self.bar.set_position(done as u64);
+        self.bar.set_message(node.to_string());
+    }
+
+    fn finished(&self, _: &TraceEntry) {
+        self.bar.inc(1);
+    }
+}
+
+fn say(entry: &TraceEntry) {
+    let state = match entry.state {
+        State::Computed => "computed",
+        State::Hit => "cached",
+        State::NotNeeded => "not needed",
+    };
+    // Nothing is left to do if standard error is gone.
+    let _ = writeln!(std::io::stderr(), "{:<16} {:<14} {state:<10} {:>8.1} ms", entry.node.to_string(), entry.kind, entry.ms);
+}

@@ -1,0 +1,140 @@
+//! `pelage render`.
+
+use std::io::Cursor;
+use std::path::PathBuf;
+use std::sync::Arc;
+
+use clap::Args;
+use pelage_graph::{Evaluation, Graph, Registry, Request};
+use pelage_nodes::{FrameReport, Picture, Stats};
+use serde_json::json;
+
+use crate::failure::Failure;
+use crate::graph::Overrides;
+use crate::output::write_file;
+use crate::progress::Progress;
+
+/// What a run may keep in memory for nodes that share results.
+const CACHE_BYTES: usize = 1 << 30;
+
+#[derive(Args)]
+pub(crate) struct Render {
+    /// The graph.
+    #[arg(value_name = "GRAPH.ron")]
+    graph: PathBuf,
+    /// Where to write the picture.
+    #[arg(short, long = "out", value_name = "OUT.png")]
+    out: PathBuf,
+    /// Which output to render, when there are several.
+    #[arg(long, value_name = "NODE.PORT")]
+    output: Option<String>,
+    /// Pixels of the picture, instead of the graph's.
+    #[arg(long, value_name = "WxH", value_parser = size)]
+    size: Option<(u32, u32)>,
+    /// Write the figures of the run.
+    #[arg(long, value_name = "FILE.json")]
+    stats: Option<PathBuf>,
+    /// Draw the frame N more times after a warm-up, for the figures.
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=100_000))]
+    repeat: Option<u32>,
+    /// How many threads to use; all cores without.
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=1024))]
+    threads: Option<u16>,
+    /// No progress.
+    #[arg(short, long)]
+    quiet: bool,
+    /// Say what each node did.
+    #[arg(short, long, conflicts_with = "quiet")]
+    verbose: bool,
+    #[command(flatten)]
+    overrides: Overrides,
+}
+
+impl Render {
+    pub(crate) fn run(&self) -> Result<(), Failure> {
+        if let Some(threads) = self.threads {
+            // Fails only where a pool exists already, and none does this early.
+            let _ = rayon::ThreadPoolBuilder::new().num_threads(threads.into()).build_global();
+        }
+        let registry = pelage_nodes::registry();
+        let mut graph = self.overrides.read(&self.graph, &registry)?;
+        let output = self.output_of(&graph)?;
+        self.apply_options(&mut graph, &registry, &output)?;
+        let checked = graph.check(&registry).map_err(|faults| faults.with_path(&self.graph))?;
+        let progress = Arc::new(Progress::new(self.quiet, self.verbose));
+        let mut evaluator = pelage_nodes::evaluator(CACHE_BYTES);
+        let frame = format!("{}.frame", node_of(&output));
+        let mut request = Request::output(&output).with_observer(progress.clone());
+        if self.stats.is_some() {
+            request = request.and_output(&frame);
+        }
+        let evaluation = evaluator.run(&checked, &request)?;
+        progress.finish(&evaluation);
+        let picture = evaluation.get::<Picture>(&output)?;
+        write_file(&self.out, &png(&picture)?)?;
+        match &self.stats {
+            Some(path) => {
+                let report = evaluation.get::<FrameReport>(&frame)?;
+                write_file(path, self.figures(&evaluation, &picture, &report).to_json().as_bytes())
+            }
+            None => Ok(()),
+        }
+    }
+
+    /// What is asked for: `--output`, or the graph's own main output.
+    fn output_of(&self, graph: &Graph) -> Result<String, Failure> {
+        self.output.clone().or_else(|| graph.output.clone()).ok_or_else(|| {
+            Failure::Input(format!(
+                "{}: the graph names no output; add `output: \"NODE.PORT\"` to it, or give --output NODE.PORT",
+                self.graph.display()
+            ))
+        })
+    }
+
+    /// `--size` and `--repeat` are inputs of the node that makes the picture.
+    fn apply_options(&self, graph: &mut Graph, registry: &Registry, output: &str) -> Result<(), Failure> {
+        let node = node_of(output);
+        let size = self.size.map(|(width, height)| ("size", format!("({width}, {height})")));
+        let repeat = self.repeat.map(|frames| ("repeat", frames.to_string()));
+        for (input, value) in size.into_iter().chain(repeat) {
+            let target = format!("{node}.{input}");
+            graph.set(registry, &target, &value, ".".as_ref()).map_err(|error| Failure::input(format!("--{input}"), &error))?;
+        }
+        Ok(())
+    }
+
+    fn figures(&self, evaluation: &Evaluation, picture: &Picture, report: &FrameReport) -> Stats {
+        let mut stats = Stats::of(evaluation);
+        stats.insert("graph", json!(self.graph.display().to_string()));
+        stats.insert_frame(report);
+        stats.insert("image_hash", json!(blake3::hash(&picture.rgba).to_hex().as_str()));
+        stats
+    }
+}
+
+/// The node of a `NODE.PORT`.
+fn node_of(output: &str) -> &str {
+    output.split_once('.').map_or(output, |(node, _)| node)
+}
+
+fn png(picture: &Picture) -> Result<Vec<u8>, Failure> {
+    let mut bytes = Vec::new();
+    image::write_buffer_with_format(
+        &mut Cursor::new(&mut bytes),
+        &picture.rgba,
+        picture.width,
+        picture.height,
+        image::ExtendedColorType::Rgba8,
+        image::ImageFormat::Png,
+    )
+    .map_err(|error| Failure::input("the picture", &error))?;
+    Ok(bytes)
+}
+
+fn size(text: &str) -> Result<(u32, u32), String> {
+    let numbers = text.split_once('x').map(|(width, height)| (width.parse(), height.parse()));
+    match numbers {
+        Some((Ok(width), Ok(height))) => Ok((width, height)),
+        _ => Err("expected WIDTHxHEIGHT, as in 960x720".into()),
+    }
+}

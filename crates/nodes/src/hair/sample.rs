@@ -1,0 +1,100 @@
+//! Hair sampled into textures.
+
+use std::sync::Arc;
+
+use pelage_coat::{FinTexture, MipImage, ShellTexture};
+use pelage_graph::{Colour, Context, Evaluate, Node, NodeError, Param};
+use pelage_strand::StrandTile;
+use pelage_volume::{FinAcross, FinSettings, Image, MipRule, ShellSettings};
+
+use crate::shading::linear;
+
+/// Shell layers by a tall Gaussian filter against the strands (L8).
+#[derive(Node)]
+#[node(category = "Hair", version = 1)]
+#[output(shells: ShellTexture, "The layers, innermost first.")]
+pub struct SampleShells {
+    /// The hair.
+    #[input]
+    pub strands: Arc<StrandTile>,
+    /// Shells from the skin to the tips, both included.
+    #[param(default = 16, range = 1..=256, unit = "layers", effect = "more: smoother fur at a slant; fragments and memory are linear in it")]
+    pub layers: u32,
+    /// Texels along the tile's side; a power of two.
+    #[param(default = 128, range = 1..=2048, unit = "texels", effect = "more: finer hair close up; memory goes with its square")]
+    pub resolution: u32,
+    /// Deviation of the filter across the hair, beside the texel's own box.
+    #[param(default = 0.35, range = 0.0..=1024.0, unit = "texels", effect = "larger: softer; under 0.5 aliases a little")]
+    pub softness: f64,
+    /// Colour of the skin under the hair.
+    #[param(default = Colour([0.366, 0.304, 0.26]))]
+    pub skin_colour: Colour,
+}
+
+impl Evaluate for SampleShells {
+    fn evaluate(&self, _: &mut Context<'_>) -> Result<Self::Outputs, NodeError> {
+        let settings = ShellSettings {
+            layers: self.layers,
+            resolution: self.resolution,
+            lateral_sigma: self.softness,
+            skin_colour: linear(self.skin_colour).to_array(),
+            mip_rule: MipRule::Transmittance,
+            ..ShellSettings::default()
+        };
+        let stack = pelage_volume::sample_shells(&self.strands, &settings)?;
+        Ok(ShellTexture { layers: stack.layers, mips: stack.mips.into_iter().map(mip).collect() }.into())
+    }
+}
+
+/// From which side a fin sees the hair.
+#[derive(Clone, Debug, PartialEq, Param)]
+pub enum FinDirection {
+    /// Against the way the fur lies: leaning hair leans neither left nor right.
+    Front,
+    /// Across the way the fur lies: leaning hair is seen in profile.
+    Side,
+}
+
+/// A fin: a slab of the hair, composited as it is seen from its side (L9).
+#[derive(Node)]
+#[node(category = "Hair", version = 1)]
+#[output(fin: FinTexture, "The fin.")]
+pub struct SampleFin {
+    /// The hair; it may be other hair than the shells'.
+    #[input]
+    pub strands: Arc<StrandTile>,
+    /// Texels along and up the fin; powers of two.
+    #[param(default = (512, 64), range = 1..=8192, unit = "texels", effect = "more: finer hair at the silhouette")]
+    pub size: (u32, u32),
+    /// Depth of the slab.
+    #[param(default = 0.06, range = 0.001..=1.0, unit = "tile sides", effect = "deeper: denser fins")]
+    pub slab_width: f64,
+    /// Tiles that the fin shows side by side.
+    #[param(default = 3, range = 1..=64, unit = "tiles", effect = "more: fins repeat less, with fewer texels a hair")]
+    pub tiles_across: u32,
+    /// From which side the hair is seen.
+    #[param(default = FinDirection::Front)]
+    pub seen_from: FinDirection,
+}
+
+impl Evaluate for SampleFin {
+    fn evaluate(&self, _: &mut Context<'_>) -> Result<Self::Outputs, NodeError> {
+        let settings = FinSettings {
+            width: self.size.0,
+            height: self.size.1,
+            slab_width: self.slab_width,
+            tiles_across: self.tiles_across,
+            across: match self.seen_from {
+                FinDirection::Front => FinAcross::S,
+                FinDirection::Side => FinAcross::T,
+            },
+            ..FinSettings::default()
+        };
+        let fin = pelage_volume::sample_fin(&self.strands, &settings)?;
+        Ok(FinTexture { tiles_across: fin.tiles_across as f32, mips: fin.mips.into_iter().map(mip).collect() }.into())
+    }
+}
+
+fn mip(image: Image) -> MipImage {
+    MipImage { width: image.width, height: image.height, texels: image.texels }
+}

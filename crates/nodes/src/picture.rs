@@ -1,0 +1,176 @@
+//! Drawing: the one node that needs a graphics device.
+
+use std::sync::Arc;
+
+use pelage_coat::{Background, Coat, Light};
+use pelage_graph::{Colour, Context, Evaluate, Node, NodeError, Param};
+use pelage_lighting::{Shading, TableLayout};
+use pelage_render::{
+    AdapterSummary, FrameStats, FrameTimes, Headless, LightingMode, Offscreen, Options, Picture, ShellDepth, ShellRange, View,
+};
+
+use crate::Framing;
+use crate::shading::linear;
+
+/// The graphics device that all pictures of a run are drawn on.
+#[derive(Debug)]
+pub struct Gpu(Headless);
+
+impl Gpu {
+    /// The best adapter there is.
+    ///
+    /// # Errors
+    /// `RenderError::NoAdapter`, which says what to install, or an adapter that gives no device.
+    pub fn new() -> Result<Self, NodeError> {
+        Ok(Self(Headless::new()?))
+    }
+
+    /// The device.
+    pub fn headless(&self) -> &Headless {
+        &self.0
+    }
+
+    /// Name and backend, as part of the key of what was drawn.
+    pub fn description(&self) -> String {
+        let adapter = self.0.summary();
+        format!("{} ({})", adapter.name, adapter.backend)
+    }
+}
+
+/// How a picture came about.
+#[derive(Clone, Debug, PartialEq)]
+pub struct FrameReport {
+    /// Which adapter drew it.
+    pub adapter: AdapterSummary,
+    /// Width and height, in pixels.
+    pub size: (u32, u32),
+    /// What was drawn.
+    pub stats: FrameStats,
+    /// How long a frame takes, if it was to be measured.
+    pub times: Option<FrameTimes>,
+}
+
+/// What shells do to the depth buffer (N8).
+#[derive(Clone, Debug, PartialEq, Param)]
+pub enum DepthMode {
+    /// Written where there is hair, as in the paper.
+    Written,
+    /// Only tested, as in NVIDIA's sample.
+    Tested,
+}
+
+/// Where hair lighting is evaluated.
+#[derive(Clone, Debug, PartialEq, Param)]
+pub enum LightingAt {
+    /// At the shells' vertices: cheapest, and highlights smear over large faces.
+    Vertices,
+    /// At every pixel, by the formula.
+    Pixels,
+    /// At every pixel, from a table (L13).
+    Table {
+        /// Entries along a side.
+        #[param(default = 64, range = 2..=1024, unit = "entries", effect = "more: a truer highlight")]
+        size: u32,
+    },
+}
+
+/// Draws a coat: surface, fins and shells (L10, L11, L12).
+#[derive(Node)]
+#[node(category = "Picture", version = 1, context("adapter"))]
+#[output(image: Picture, "The picture.")]
+#[output(frame: FrameReport, "What was drawn, on what, and how long it took.")]
+pub struct RenderImage {
+    /// The coat.
+    #[input]
+    pub fur: Arc<Coat>,
+    /// From where.
+    #[input]
+    pub camera: Arc<Framing>,
+    /// In what light.
+    #[input]
+    pub light: Arc<Light>,
+    /// How hair answers it.
+    #[input]
+    pub shading: Arc<Shading>,
+    /// Width and height.
+    #[param(default = (960, 720), range = 1..=16384, unit = "pixels", effect = "fragments go with the area")]
+    pub size: (u32, u32),
+    /// Whether the skin is drawn.
+    #[param(default = true)]
+    pub surface: bool,
+    /// Whether shells are drawn.
+    #[param(default = true)]
+    pub shells: bool,
+    /// Whether fins are drawn.
+    #[param(default = true)]
+    pub fins: bool,
+    /// How many of the shells to draw, from the skin.
+    #[param(default = 256, range = 1..=256, unit = "shells", effect = "fewer than there are cuts the tips off")]
+    pub shell_count: u32,
+    /// Multiplies the length of all fur.
+    #[param(default = 1.0, range = 0.0..=100.0, unit = "ratio", effect = "0 is bald")]
+    pub length_scale: f64,
+    /// What shells do to the depth buffer.
+    #[param(default = DepthMode::Written)]
+    pub depth: DepthMode,
+    /// Where lighting is evaluated.
+    #[param(default = LightingAt::Vertices)]
+    pub lighting: LightingAt,
+    /// Samples a pixel: 1, or 4 for smooth edges.
+    #[param(default = 4, range = 1..=4, unit = "samples", effect = "4: smooth edges for about half as much time again")]
+    pub samples: u32,
+    /// How much finer than its short side a slanted footprint of the texture is filtered.
+    #[param(default = 1, range = 1..=16, unit = "ratio", effect = "more: crisper at a slant, up to as many fetches")]
+    pub anisotropy: u32,
+    /// The background at the top.
+    #[param(default = Colour([0.82, 0.84, 0.86]))]
+    pub background_top: Colour,
+    /// The background at the bottom.
+    #[param(default = Colour([0.62, 0.62, 0.63]))]
+    pub background_bottom: Colour,
+    /// Draw the frame this many more times, to measure it.
+    #[param(default = 0, range = 0..=100000, unit = "frames", effect = "no other picture; time is linear in it")]
+    pub repeat: u32,
+}
+
+impl Evaluate for RenderImage {
+    fn evaluate(&self, cx: &mut Context<'_>) -> Result<Self::Outputs, NodeError> {
+        let gpu = cx.resource::<Gpu>()?;
+        let background = Background { top: linear(self.background_top), bottom: linear(self.background_bottom) };
+        let offscreen = Offscreen::new(gpu.headless(), self.size, self.samples)?;
+        let (coat, view) = (offscreen.upload(&self.fur)?, self.view());
+        let picture = offscreen.render(&coat, &view, &background)?;
+        let measured = cx.wants("frame") && self.repeat > 0;
+        let times = if measured { Some(offscreen.time(&coat, &view, &background, self.repeat)?) } else { None };
+        let frame = FrameReport { adapter: gpu.headless().summary().clone(), size: self.size, stats: picture.frame, times };
+        Ok(RenderImageOutputs { image: Some(Arc::new(picture)), frame: Some(Arc::new(frame)) })
+    }
+}
+
+impl RenderImage {
+    fn view(&self) -> View {
+        let aspect = self.size.0 as f32 / self.size.1.max(1) as f32;
+        View {
+            camera: self.camera.camera(self.fur.bounds(), aspect),
+            light: *self.light,
+            shading: *self.shading,
+            options: Options {
+                surface: self.surface,
+                fins: self.fins,
+                shells: self.shells,
+                layers: ShellRange { end: self.shell_count, ..ShellRange::default() },
+                length_scale: self.length_scale as f32,
+                shell_depth: match self.depth {
+                    DepthMode::Written => ShellDepth::default(),
+                    DepthMode::Tested => ShellDepth::Tested,
+                },
+                lighting: match self.lighting {
+                    LightingAt::Vertices => LightingMode::PerVertex,
+                    LightingAt::Pixels => LightingMode::Formula,
+                    LightingAt::Table { size } => LightingMode::Table(TableLayout { size: size as usize, ..TableLayout::default() }),
+                },
+                anisotropy: self.anisotropy as u16,
+            },
+        }
+    }
+}

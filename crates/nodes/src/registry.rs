@@ -1,0 +1,77 @@
+//! The list of all nodes, and an engine that can run them.
+
+use pelage_coat::{Coat, FinTexture, Light, ShellTexture};
+use pelage_field::{ColourField, DirectionField, ScalarField};
+use pelage_graph::{Evaluator, Registry};
+use pelage_lighting::Shading;
+use pelage_mesh::Mesh;
+use pelage_patch::PatchTiling;
+use pelage_strand::StrandTile;
+
+use crate::Framing;
+
+/// Every node and every type that runs along a link.
+pub fn registry() -> Registry {
+    let registry = Registry::new()
+        .value::<Mesh>("Mesh", Mesh::byte_size)
+        .value::<DirectionField>("DirectionField", |field| size_of_val(field.vectors()))
+        .value::<ScalarField>("ScalarField", |field| size_of_val(field.values()))
+        .value::<ColourField>("ColourField", |field| size_of_val(field.values()))
+        .value::<PatchTiling>("PatchTiling", PatchTiling::byte_size)
+        .value::<StrandTile>("StrandTile", StrandTile::byte_size)
+        .value::<ShellTexture>("ShellTexture", ShellTexture::byte_size)
+        .value::<FinTexture>("FinTexture", FinTexture::byte_size)
+        .value::<Coat>("Coat", Coat::byte_size)
+        .value::<Framing>("Framing", |_| size_of::<Framing>())
+        .value::<Light>("Light", |_| size_of::<Light>())
+        .value::<Shading>("Shading", |_| size_of::<Shading>())
+        .node::<crate::ObjFile>()
+        .node::<crate::Plane>()
+        .node::<crate::Sphere>()
+        .node::<crate::Torus>()
+        .node::<crate::RoundedDie>()
+        .node::<crate::DirectionFieldNode>()
+        .node::<crate::ScalarRamp>()
+        .node::<crate::ColourRamp>()
+        .node::<crate::ImageField>()
+        .node::<crate::GrowPatches>()
+        .node::<crate::GrowStrands>()
+        .node::<crate::SampleShells>()
+        .node::<crate::SampleFin>()
+        .node::<crate::LayFur>()
+        .node::<crate::HairLightingNode>()
+        .node::<crate::LightNode>()
+        .node::<crate::CameraNode>();
+    with_drawing(registry)
+}
+
+/// An engine with a cache of `budget` bytes that makes a graphics device when a node first asks for one.
+pub fn evaluator(budget: usize) -> Evaluator {
+    let evaluator = Evaluator::new(budget);
+    #[cfg(feature = "gpu")]
+    let evaluator =
+        evaluator.resource(crate::Gpu::new).context_value("adapter", |resources| Ok(resources.get::<crate::Gpu>()?.description().into()));
+    evaluator
+}
+
+#[cfg(feature = "gpu")]
+fn with_drawing(registry: Registry) -> Registry {
+    use pelage_render::Picture;
+    registry
+        .value::<Picture>("Picture", |picture| picture.rgba.len() + picture.coverage.len())
+        .value::<crate::FrameReport>("FrameReport", |_| size_of::<crate::FrameReport>())
+        .node::<crate::RenderImage>()
+}
+
+#[cfg(not(feature = "gpu"))]
+fn with_drawing(registry: Registry) -> Registry {
+    registry
+}
+
+#[cfg(test)]
+mod tests {
+    #[test]
+    fn every_specification_is_documented_has_units_and_defaults_in_range() {
+        super::registry().validate().unwrap();
+    }
+}

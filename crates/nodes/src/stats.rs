@@ -1,0 +1,132 @@
+//! The figures of an evaluation, as `pelage render --stats` writes them; the keys are a promise to scripts.
+
+use pelage_coat::{Coat, FinTexture, ShellTexture};
+use pelage_field::DirectionField;
+use pelage_graph::{Evaluation, State};
+use pelage_mesh::{Mesh, Summary};
+use pelage_patch::PatchTiling;
+use serde_json::{Map, Value, json};
+
+/// The figures of an evaluation: only what applies is there.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Stats(Map<String, Value>);
+
+impl Stats {
+    /// Collects what the values of an evaluation say about themselves.
+    pub fn of(evaluation: &Evaluation) -> Self {
+        let mut stats = Map::new();
+        stats.insert("pelage".into(), env!("CARGO_PKG_VERSION").into());
+        stats.insert("nodes".into(), trace(evaluation));
+        let found = Found::among(evaluation);
+        if let Some(mesh) = &found.mesh {
+            stats.insert("model".into(), model(&Summary::of(mesh)));
+        }
+        if let (Some(mesh), Some(tiling)) = (&found.mesh, &found.tiling) {
+            stats.insert("patches".into(), patches(mesh, tiling, found.directions.as_deref()));
+        }
+        if let Some(shells) = &found.shells {
+            stats.insert("textures".into(), textures(shells, found.fin.as_deref()));
+        }
+        Self(stats)
+    }
+
+    /// Adds what drawing took.
+    #[cfg(feature = "gpu")]
+    pub fn insert_frame(&mut self, report: &crate::FrameReport) {
+        let adapter = &report.adapter;
+        self.insert("adapter", json!({ "name": adapter.name, "backend": adapter.backend, "software": adapter.software }));
+        self.insert("frame", frame(report));
+    }
+
+    /// Adds what the program knows: the graph's name, a hash.
+    pub fn insert(&mut self, key: &str, value: Value) {
+        self.0.insert(key.into(), value);
+    }
+
+    /// As JSON, indented.
+    pub fn to_json(&self) -> String {
+        format!("{:#}\n", Value::Object(self.0.clone()))
+    }
+}
+
+/// The last value of each kind that the evaluation made: a graph usually has one.
+#[derive(Default)]
+struct Found {
+    mesh: Option<std::sync::Arc<Mesh>>,
+    directions: Option<std::sync::Arc<DirectionField>>,
+    tiling: Option<std::sync::Arc<PatchTiling>>,
+    shells: Option<std::sync::Arc<ShellTexture>>,
+    fin: Option<std::sync::Arc<FinTexture>>,
+}
+
+impl Found {
+    fn among(evaluation: &Evaluation) -> Self {
+        let mut found = Self::default();
+        for (_, _, value) in evaluation.values() {
+            found.mesh = value.downcast::<Mesh>().or(found.mesh);
+            found.directions = value.downcast::<DirectionField>().or(found.directions);
+            found.tiling = value.downcast::<PatchTiling>().or(found.tiling);
+            if let Some(coat) = value.downcast::<Coat>() {
+                found.shells = Some(coat.shells.clone());
+                found.fin.clone_from(&coat.fin);
+            }
+        }
+        found
+    }
+}
+
+fn trace(evaluation: &Evaluation) -> Value {
+    let nodes = evaluation.trace().iter().map(|entry| {
+        let state = match entry.state {
+            State::Computed => "computed",
+            State::Hit => "cached",
+            State::NotNeeded => "not needed",
+        };
+        (entry.node.to_string(), json!({ "kind": entry.kind, "state": state, "ms": entry.ms }))
+    });
+    Value::Object(nodes.collect())
+}
+
+fn model(summary: &Summary) -> Value {
+    json!({
+        "vertices": summary.vertices, "edges": summary.edges, "faces": summary.faces,
+        "boundary_loops": summary.boundary_loops, "components": summary.components, "genus": summary.genus,
+    })
+}
+
+fn patches(mesh: &Mesh, tiling: &PatchTiling, directions: Option<&DirectionField>) -> Value {
+    let quality = tiling.quality(mesh, directions);
+    json!({
+        "count": quality.patch_count, "faces_covered": quality.faces_covered, "faces_flipped": quality.faces_flipped, "discs": quality.all_discs,
+        "faces_per_patch_p50": quality.faces_per_patch_p50, "stretch_p50": quality.stretch_p50, "stretch_p99": quality.stretch_p99,
+        "misalignment_deg_mean": quality.misalignment_deg_mean, "seam_length": quality.seam_length,
+        "tile_repeats_p50": quality.tile_repeats_p50, "tile_repeats_max": quality.tile_repeats_max,
+    })
+}
+
+#[cfg(feature = "gpu")]
+fn frame(report: &crate::FrameReport) -> Value {
+    let stats = &report.stats;
+    let mut frame = json!({
+        "width": report.size.0, "height": report.size.1, "shells_drawn": stats.shells_drawn,
+        "fins_drawn": stats.fins_drawn, "fins_considered": stats.fins_considered, "triangles": stats.triangles,
+    });
+    if let Some(times) = &report.times {
+        frame["frames"] = json!(times.frames);
+        frame["ms_min"] = json!(times.ms_min);
+        frame["ms_median"] = json!(times.ms_median);
+        frame["ms_max"] = json!(times.ms_max);
+    }
+    if let Some(passes) = report.times.as_ref().and_then(|times| times.passes).or(stats.passes) {
+        frame["pass_ms"] = json!({ "surface": passes.surface, "fins": passes.fins, "shells": passes.shells });
+    }
+    frame
+}
+
+fn textures(shells: &ShellTexture, fin: Option<&FinTexture>) -> Value {
+    let (shell_bytes, fin_bytes) = (shells.byte_size(), fin.map_or(0, FinTexture::byte_size));
+    json!({
+        "shell_bytes": shell_bytes, "fin_bytes": fin_bytes, "total_bytes": shell_bytes + fin_bytes,
+        "layers": shells.layers, "resolution": shells.resolution(),
+    })
+}
