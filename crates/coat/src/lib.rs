@@ -84,7 +84,7 @@ pub struct Surface {
     pub normals: Vec<Vec3>,
     /// *c_v*: from the skin to the outermost shell; its length is the fur's, its tangential part the slant (L19, L20). Zero: bare.
     pub offsets: Vec<Vec3>,
-    /// *T*: the unit direction of the hair for lighting, stored apart from the offset (L14).
+    /// *T*: the mean of the hair's unit directions, for lighting, stored apart from the offset (L14). At most 1 long; the shorter, the more the hair differs.
     pub directions: Vec<Vec3>,
     /// A colour that multiplies the textures' (L18), 0 to 1.
     pub colours: Vec<Vec3>,

@@ -7,7 +7,7 @@ use pelage_coat::{Coat, FinTexture, Frame, PatchMesh, ShellTexture, Surface};
 use pelage_field::{ColourField, DirectionField, ScalarField};
 use pelage_mesh::{Mesh, VertexId};
 use pelage_patch::PatchTiling;
-use pelage_strand::{Strand, StrandTile};
+use pelage_strand::StrandTile;
 
 use super::edges::fin_edges;
 
@@ -20,8 +20,7 @@ pub(crate) struct Dressing<'a> {
     pub(crate) colours: Option<&'a ColourField>,
     pub(crate) shells: Arc<ShellTexture>,
     pub(crate) fin: Option<Arc<FinTexture>>,
-    /// The strands' mean direction in tile space and the height of their box, both in tile sides.
-    pub(crate) lean: HairLean,
+    pub(crate) strands: &'a StrandTile,
     /// In model diameters.
     pub(crate) length: f64,
     /// From the normal towards the direction field, in radians.
@@ -33,22 +32,27 @@ pub(crate) struct Dressing<'a> {
 
 /// How the strands of a tile lie on the whole: what the per-vertex hair direction *T* is made from.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct HairLean {
-    /// The mean direction from root to tip, in tile sides.
-    pub(crate) direction: DVec3,
-    /// The height of the tile's box, in tile sides.
-    pub(crate) height: f64,
-}
+pub(crate) struct HairLean(DVec3);
 
 impl HairLean {
-    /// From root to tip, all strands together.
-    pub(crate) fn of(strands: &StrandTile) -> Self {
-        let run = |strand: Strand<'_>| -> Option<DVec3> {
-            let (root, tip) = (Vec3::from(*strand.points.first()?), Vec3::from(*strand.points.last()?));
-            Some((tip - root).as_dvec3())
-        };
-        let sum: DVec3 = strands.strands().filter_map(run).sum();
-        Self { direction: sum.normalize_or(DVec3::Z), height: strands.height() }
+    /// The mean of the hair's unit directions along its whole length, in the frame of *s*, *t* and the offset, once the tile is laid with a
+    /// side of `tile_side` and its height stretched to `length`, both in diameters.
+    ///
+    /// The mean of directions that differ is shorter than 1, and is kept so: lit by it, hair that stands every which way has no dark spot where it would
+    /// point at the light if it all stood one way.
+    pub(crate) fn of(strands: &StrandTile, tile_side: f64, length: f64) -> Self {
+        let stretch = DVec3::new(tile_side, tile_side, length / strands.height().max(f64::MIN_POSITIVE));
+        let (mut sum, mut total) = (DVec3::ZERO, 0.0);
+        for strand in strands.strands() {
+            for step in strand.points.windows(2) {
+                let run = (Vec3::from(step[1]) - Vec3::from(step[0])).as_dvec3();
+                // Weighted by its length in the tile, which no stretch makes zero.
+                let weight = run.length();
+                sum += weight * (run * stretch).normalize_or(DVec3::Z);
+                total += weight;
+            }
+        }
+        Self(if total > 0.0 { sum / total } else { DVec3::Z })
     }
 }
 
@@ -67,6 +71,7 @@ pub(crate) fn dress(dressing: &Dressing) -> Coat {
 fn surface(dressing: &Dressing, frame: &Frame) -> Surface {
     let mesh = dressing.mesh;
     let normals = mesh.vertex_normals();
+    let lean = HairLean::of(dressing.strands, dressing.tiling.tile_side() / frame.diameter, dressing.length);
     let mut surface = Surface::default();
     for vertex in mesh.topology().vertices() {
         let normal = normals[vertex.index()];
@@ -76,7 +81,7 @@ fn surface(dressing: &Dressing, frame: &Frame) -> Surface {
         surface.positions.push(frame.place(mesh.position(vertex)));
         surface.normals.push(normal.as_vec3());
         surface.offsets.push((dressing.length * local * up).as_vec3());
-        surface.directions.push(hair_direction(dressing, frame, normal, along, up).as_vec3());
+        surface.directions.push(hair_direction(lean, normal, along, up).as_vec3());
         let colour = dressing.colours.map_or(Vec3::ONE, |field| field.values()[vertex.index()]);
         surface.colours.push(colour * dressing.tint);
     }
@@ -88,15 +93,12 @@ fn stand(normal: DVec3, along: DVec3, slant: f64) -> DVec3 {
     if along == DVec3::ZERO { normal } else { normal * slant.cos() + along * slant.sin() }
 }
 
-/// *T*: the tile's mean hair direction, carried to the surface by the tile's axes: *s* and *t* in the tangent plane, height along the offset (L14).
-fn hair_direction(dressing: &Dressing, frame: &Frame, normal: DVec3, along: DVec3, up: DVec3) -> DVec3 {
-    let lean = dressing.lean;
-    let tile_side = dressing.tiling.tile_side() / frame.diameter;
+/// *T*: the hair's mean direction, carried to the surface by the tile's axes: *s* and *t* in the tangent plane, height along the offset (L14).
+///
+/// Without a field the tile lies in another direction on each patch, and only the height counts.
+fn hair_direction(lean: HairLean, normal: DVec3, along: DVec3, up: DVec3) -> DVec3 {
     let across = along.cross(normal);
-    let rise = up * (lean.direction.z * dressing.length / lean.height.max(f64::MIN_POSITIVE));
-    let direction = rise + (across * lean.direction.x + along * lean.direction.y) * tile_side;
-    // Finite for any length: a hair of no length still points somewhere.
-    direction.try_normalize().unwrap_or(up)
+    across * lean.0.x + along * lean.0.y + up * lean.0.z
 }
 
 fn patch_mesh(tiling: &PatchTiling) -> PatchMesh {

@@ -13,7 +13,7 @@ use pelage_patch::PatchTiling;
 use pelage_strand::StrandTile;
 
 use crate::shading::linear;
-use dress::{Dressing, HairLean, dress};
+use dress::{Dressing, dress};
 
 /// Lays the hair tile on a tiled surface: how long the fur is, how it stands, what colour it has.
 #[derive(Node)]
@@ -79,7 +79,7 @@ impl Evaluate for LayFur {
             colours: self.colours.as_deref(),
             shells: Arc::clone(&self.shells),
             fin: self.fin.clone(),
-            lean: HairLean::of(&self.strands),
+            strands: &self.strands,
             length: self.length,
             slant: self.slant.to_radians(),
             tint: linear(self.tint),
