@@ -1,11 +1,12 @@
 //! Settings, an editor's commands, and saving.
+#![allow(clippy::unwrap_used, reason = "clippy excuses test functions only, not what they call")]
 
 mod fixture;
 
 use std::path::Path;
 
 use fixture::*;
-use pelage_graph::{EditError, Evaluator, Graph, Literal, Request, Shape};
+use pelage_graph::{EditError, Evaluator, Graph, Literal, NodeId, Request, Shape};
 
 const GRAPH: &str = r#"Graph(
     version: 1,
@@ -84,11 +85,19 @@ fn a_setting_that_does_not_fit_changes_nothing_and_says_why() {
         ("too.value", "3", "too.value=3: there is no node \"too\"; did you mean two?"),
         ("two.vlaue", "3", "two.vlaue=3: node \"two\": Constant has no field \"vlaue\"; did you mean value?"),
         ("two.value", "3000", "two.value=3000: node \"two\", value: 3000 is out of range: expected -1000 to 1000 (1)"),
-        ("two.value", "(3", "two.value=(3: node \"two\", value: expected a number, found \"(3\" (unexpected end of RON)"),
+        ("two.value", "(3", "two.value=(3: node \"two\", value: expected a number, found \"(3\" (expected comma)"),
         ("two.value", "three", "two.value=three: node \"two\", value: expected a number, found the word three"),
         ("styled.style", "Curley", "styled.style=Curley: node \"styled\", style: Style has no variant Curley; did you mean Curly?"),
-        ("styled.style.raduis", "1", "styled.style.raduis=1: node \"styled\", style.raduis: Curly has no field \"raduis\"; did you mean radius?"),
-        ("styled.style.radius", "1", "styled.style.radius=1: node \"styled\", style.radius: 1 is out of range: expected 0 to 0.5 (lengths)"),
+        (
+            "styled.style.raduis",
+            "1",
+            "styled.style.raduis=1: node \"styled\", style.raduis: Curly has no field \"raduis\"; did you mean radius?",
+        ),
+        (
+            "styled.style.radius",
+            "1",
+            "styled.style.radius=1: node \"styled\", style.radius: 1 is out of range: expected 0 to 0.5 (lengths)",
+        ),
     ] {
         assert_eq!(set(&mut graph, target, value), Err(said.to_owned()));
     }
@@ -142,7 +151,7 @@ fn renaming_follows_every_link_and_no_text() {
     graph.rename(&registry(), "joined", "j").unwrap();
     assert_eq!(graph.output.as_deref(), Some("j.text"));
     assert!(graph.check(&registry()).is_ok());
-    assert_eq!(graph.nodes.keys().map(|id| id.as_str()).collect::<Vec<_>>(), ["zwei", "x", "r", "styled", "j"]);
+    assert_eq!(graph.nodes.keys().map(NodeId::as_str).collect::<Vec<_>>(), ["zwei", "x", "r", "styled", "j"]);
     assert_eq!(graph.rename(&registry(), "x", "r"), Err(EditError::Taken("r".to_owned())));
     graph.rename(&registry(), "zwei", "two").unwrap();
     graph.rename(&registry(), "r", "read").unwrap();

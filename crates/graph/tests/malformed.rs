@@ -33,18 +33,9 @@ const FILES: &[(&str, &str)] = &[
     ("Graph(version: 1, nodes: {}, lyaout: {})", "1:30: Graph has no field \"lyaout\"; did you mean layout?"),
     ("Graph(version: 1, nodes: {}, nodes: {})", "1:30: the field \"nodes\" is given twice; remove one"),
     ("Graph(version: 1, nodes: {}, title: 3)", "1:37: title: expected a text, found the whole number 3"),
-    (
-        "Graph(version: 1, nodes: {}, output: \"c.value\")",
-        "1:38: output: there is no node \"c\"",
-    ),
-    (
-        "Graph(version: 1, nodes: {\"c\": Constant()}, output: \"c\")",
-        "1:53: output: expected a link \"node.port\", found the text \"c\"",
-    ),
-    (
-        "Graph(version: 1, nodes: {\"c\": Constant()}, layout: {\"d\": (1, 2)})",
-        "1:54: layout: there is no node \"d\"",
-    ),
+    ("Graph(version: 1, nodes: {}, output: \"c.value\")", "1:38: output: there is no node \"c\""),
+    ("Graph(version: 1, nodes: {\"c\": Constant()}, output: \"c\")", "1:53: output: expected a link \"node.port\", found the text \"c\""),
+    ("Graph(version: 1, nodes: {\"c\": Constant()}, layout: {\"d\": (1, 2)})", "1:54: layout: there is no node \"d\""),
     (
         "Graph(version: 1, nodes: {\"c\": Constant()}, layout: {\"c\": (1, inf)})",
         "1:59: layout: expected a position (x, y) of two finite numbers, found a tuple of 2",
@@ -86,10 +77,7 @@ const NODES: &[(&str, &str)] = &[
     ("\"x\": Add(a: \"c.sum\")", "3:13: node \"x\", a: Constant \"c\" has no output \"sum\"; expected one of value"),
     ("\"x\": Add(a: 3)", "3:13: node \"x\", a: expected a link \"node.port\" to f64, found the whole number 3"),
     ("\"x\": Add(a: \"c\")", "3:13: node \"x\", a: expected a link \"node.port\" to f64, found the text \"c\""),
-    (
-        "\"x\": Join(parts: [\"c.value\"])",
-        "3:19: node \"x\", parts: expected a link \"node.port\" to Text, but \"c.value\" is f64",
-    ),
+    ("\"x\": Join(parts: [\"c.value\"])", "3:19: node \"x\", parts: expected a link \"node.port\" to Text, but \"c.value\" is f64"),
     (
         "\"x\": Styled(seed: \"c.value\")",
         "3:19: node \"x\", seed: expected a whole number, or a link \"node.port\" to one, but \"c.value\" is f64",
@@ -115,7 +103,10 @@ const NODES: &[(&str, &str)] = &[
     ("\"x\": Styled(size: (0, 720))", "3:20: node \"x\", size: 0 is out of range: expected 1 to 16384 (pixels)"),
     ("\"x\": Styled(pins: [(toward: (1, 0, 0))])", "3:20: node \"x\", pins: missing \"at\": expected (a number, a number, a number)"),
     ("\"x\": Styled(limit: Some(0))", "3:25: node \"x\", limit: 0 is out of range: expected 1 to 100 (steps)"),
-    ("\"x\": Styled(seed: 18446744073709551616)", "3:19: node \"x\", seed: expected a whole number, found the number 1.8446744073709552e19"),
+    (
+        "\"x\": Styled(seed: 18446744073709551616)",
+        "3:19: node \"x\", seed: expected a whole number, found the number 1.8446744073709552e19",
+    ),
     ("\"x\": Styled(seed: -1)", "3:19: node \"x\", seed: -1 is out of range: expected 0 to 18446744073709551615 (seed)"),
     ("\"x\": Styled(flipped: 1)", "3:22: node \"x\", flipped: expected true or false, found the whole number 1"),
     ("\"x\": Styled(name: 1)", "3:19: node \"x\", name: expected a text, found the whole number 1"),
@@ -152,7 +143,10 @@ fn all_faults_of_a_file_are_answered_in_one_run() {
 #[test]
 fn a_path_goes_before_each_line() {
     let found = faults(&file("\"x\": Rotate(),\n\"y\": Rotate()")).unwrap().with_path("graphs/a.ron").to_string();
-    assert_eq!(found, "graphs/a.ron:3:6: node \"x\": unknown kind of node Rotate\ngraphs/a.ron:4:6: node \"y\": unknown kind of node Rotate");
+    assert_eq!(
+        found,
+        "graphs/a.ron:3:6: node \"x\": unknown kind of node Rotate\ngraphs/a.ron:4:6: node \"y\": unknown kind of node Rotate"
+    );
 }
 
 #[test]
