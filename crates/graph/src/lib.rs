@@ -155,3 +155,8 @@ pub use setting::SetError;
 pub use spec::{Arity, ChoiceSpec, InputSpec, Limits, OutputSpec, ParamSpec, ParamType, PortType, RecordSpec, Specification};
 pub use validate::{SpecificationFault, SpecificationFaults};
 pub use value::Value;
+
+/// The example of the read-me, kept working.
+#[cfg(doctest)]
+#[doc = include_str!("../README.md")]
+struct Readme;

@@ -50,6 +50,19 @@ fn parameters_write_themselves_as_they_are_read() {
 }
 
 #[test]
+fn what_a_run_touches_may_be_shared_between_threads() {
+    fn shared<T: Send + Sync>() {}
+    shared::<Registry>();
+    shared::<pelage_graph::CheckedGraph>();
+    shared::<pelage_graph::Graph>();
+    shared::<pelage_graph::Value>();
+    shared::<pelage_graph::Evaluation>();
+    shared::<pelage_graph::EvaluateError>();
+    shared::<pelage_graph::Evaluator>();
+    shared::<pelage_graph::Request>();
+}
+
+#[test]
 fn the_test_nodes_are_in_order() {
     registry().validate().unwrap();
 }

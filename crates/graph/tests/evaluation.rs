@@ -96,14 +96,15 @@ fn saying_a_default_changes_no_key() {
 
 #[test]
 fn equal_nodes_run_once() {
+    // c runs before a, whose value equals that of b, which c draws on.
     let text = r#"Graph(version: 1, nodes: {
-        "b": Constant(value: 2), "c": Add(a: "b.value"), "a": Constant(value: 2), "d": Add(a: "a.value"),
+        "b": Constant(value: 2), "c": Add(a: "b.value", times: 2), "a": Constant(value: 2), "d": Add(a: "a.value"),
         "sum": Add(a: "c.sum", b: "d.sum"),
     }, output: "sum.sum")"#;
     let mut evaluator = counting(1 << 20);
     let evaluation = evaluator.run(&checked(text), &Request::main()).unwrap();
-    assert_eq!(ran(&evaluator).len(), 3);
-    assert_eq!(*evaluation.main::<f64>().unwrap(), 4.0);
+    assert_eq!(ran(&evaluator), ["b", "c", "d", "sum"]);
+    assert_eq!(*evaluation.main::<f64>().unwrap(), 6.0);
     assert!(Arc::ptr_eq(&evaluation.get::<f64>("a.value").unwrap(), &evaluation.get::<f64>("b.value").unwrap()));
 }
 
@@ -150,6 +151,8 @@ fn requirements_travel_upstream() {
     let one = text.replace("Halves(", "Halves(both: false, ");
     let right = evaluator.run(&checked(&one), &Request::output("halves.right")).unwrap();
     assert_eq!((*right.main::<f64>().unwrap(), ran(&evaluator)), (0.0, vec!["halves".to_owned()]));
+    let unneeded = &right.trace()[1];
+    assert_eq!((unneeded.node.as_str(), unneeded.state, unneeded.keys.len()), ("r", State::NotNeeded, 0));
     let changed = one.replace("value: 4", "value: 6");
     evaluator.run(&checked(&changed), &Request::output("halves.right")).unwrap();
     assert!(ran(&evaluator).is_empty());
