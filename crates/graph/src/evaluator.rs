@@ -112,9 +112,9 @@ impl Evaluator {
         plan: &mut Plan,
     ) -> Result<Vec<Option<f64>>, EvaluateError> {
         let total = plan.make.iter().filter(|ports| !ports.is_empty()).count();
-        let mut done = 0;
         let mut ms = vec![None; graph.nodes.len()];
-        for (index, node) in graph.nodes.iter().enumerate().filter(|(index, _)| !plan.make[*index].is_empty()) {
+        let steps = graph.nodes.iter().enumerate().filter(|(index, _)| !plan.make[*index].is_empty()).collect::<Vec<_>>();
+        for (done, (index, node)) in steps.into_iter().enumerate() {
             if request.cancel.is_cancelled() {
                 return Err(EvaluateError::Cancelled);
             }
@@ -155,7 +155,6 @@ impl Evaluator {
                 }
             }
             ms[index] = Some(elapsed);
-            done += 1;
             if let Some(observer) = observer {
                 observer.finished(&self.trace_entry(graph, index, plan, ms[index]));
             }

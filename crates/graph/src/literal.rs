@@ -133,8 +133,8 @@ pub(crate) fn quoted(text: &str) -> String {
 fn identifier(name: &str) -> String {
     let plain =
         name.starts_with(|c: char| c == '_' || c.is_ascii_alphabetic()) && name.chars().all(|c| c == '_' || c.is_ascii_alphanumeric());
-    let kept = ["true", "false", "Some", "None", "inf", "NaN", "inff32", "inff64", "NaNf32", "NaNf64", "r", "b", "br"];
-    if plain && !kept.contains(&name) || name.chars().any(|c| !c.is_ascii()) { name.to_owned() } else { format!("r#{name}") }
+    let kept = ["true", "false", "Some", "None", "inf", "NaN", "inff32", "inff64", "NaNf32", "NaNf64"];
+    if plain && !kept.contains(&name) || !name.is_ascii() { name.to_owned() } else { format!("r#{name}") }
 }
 
 /// Writes `items` with commas between.

@@ -14,6 +14,38 @@ use crate::value::Value;
 pub type NodeError = Box<dyn Error + Send + Sync>;
 
 /// A documented struct that is a node. Implemented by `#[derive(Node)]`; see there for the attributes.
+///
+/// What leaves something out does not compile, nor does a default outside its range, be it written out or a constant:
+///
+/// ```compile_fail,E0080
+/// const TOO_MUCH: f64 = 3.0;
+///
+/// /// A node.
+/// #[derive(pelage_graph::Node)]
+/// #[node(category = "Test")]
+/// #[output(value: f64, "A number.")]
+/// struct Wide {
+///     /// A number.
+///     #[param(default = TOO_MUCH, range = 0.0..=2.0, unit = "metres")]
+///     number: f64,
+/// }
+/// ```
+///
+/// With `range = 0.0..=3.0` it does:
+///
+/// ```
+/// const WIDE_ENOUGH: f64 = 3.0;
+///
+/// /// A node.
+/// #[derive(pelage_graph::Node)]
+/// #[node(category = "Test")]
+/// #[output(value: f64, "A number.")]
+/// struct Wide {
+///     /// A number.
+///     #[param(default = WIDE_ENOUGH, range = 0.0..=3.0, unit = "metres")]
+///     number: f64,
+/// }
+/// ```
 pub trait Node: Sized + Send + Sync + 'static {
     /// The struct of its outputs, `<Name>Outputs`, made by the derive: `Option<Arc<T>>` for each.
     type Outputs: Outputs;

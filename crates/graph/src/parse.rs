@@ -21,22 +21,25 @@ pub(crate) fn parse(text: &str) -> Result<Graph, Faults> {
             return Err(only(place, FaultKind::Form { expected, found }));
         }
     };
-    version(&fields, place).map_err(|(place, kind)| only(place, kind))?;
+    version(&fields, place).map_err(|(place, kind)| only(place, *kind))?;
     let mut reader = Reader { graph: Graph::default(), layout_places: Vec::new() };
     reader.frame(fields, place);
     Ok(reader.graph)
 }
 
 /// The version alone, before anything else is read: what another version means by its fields is not for this one to judge.
-fn version(fields: &[(Name, Literal)], place: Option<Place>) -> Result<(), (Option<Place>, FaultKind)> {
+fn version(fields: &[(Name, Literal)], place: Option<Place>) -> Result<(), (Option<Place>, Box<FaultKind>)> {
     let Some((_, version)) = fields.iter().find(|(name, _)| name.text == "version") else {
         let expected = format!("a whole number such as {}", Graph::VERSION);
-        return Err((place, FaultKind::Missing { field: "version".to_owned(), expected }));
+        return Err((place, Box::new(FaultKind::Missing { field: "version".to_owned(), expected })));
     };
     match version.shape {
         Shape::Integer(found) if found == i128::from(Graph::VERSION) => Ok(()),
-        Shape::Integer(found) => Err((version.place, FaultKind::Version { found: found.to_string(), supported: Graph::VERSION })),
-        _ => Err((version.place, FaultKind::WrongType { expected: "a version, a whole number".to_owned(), found: version.describe() })),
+        Shape::Integer(found) => Err((version.place, Box::new(FaultKind::Version { found: found.to_string(), supported: Graph::VERSION }))),
+        _ => Err((
+            version.place,
+            Box::new(FaultKind::WrongType { expected: "a version, a whole number".to_owned(), found: version.describe() }),
+        )),
     }
 }
 
@@ -96,9 +99,8 @@ impl Reader {
     }
 
     fn nodes(&mut self, value: Literal) {
-        let entries = match value.shape {
-            Shape::Map(entries) => entries,
-            _ => return self.form("nodes", "a map of nodes by id, {\"id\": Kind(…)}", &value),
+        let Shape::Map(entries) = value.shape else {
+            return self.form("nodes", "a map of nodes by id, {\"id\": Kind(…)}", &value);
         };
         for (key, value) in entries {
             let Shape::Text(id) = &key.shape else {
@@ -145,9 +147,8 @@ impl Reader {
     }
 
     fn layout(&mut self, value: Literal) {
-        let entries = match value.shape {
-            Shape::Map(entries) => entries,
-            _ => return self.form("layout", "a map of positions by id, {\"id\": (x, y)}", &value),
+        let Shape::Map(entries) = value.shape else {
+            return self.form("layout", "a map of positions by id, {\"id\": (x, y)}", &value);
         };
         for (key, value) in entries {
             let Shape::Text(id) = &key.shape else {

@@ -9,8 +9,8 @@ use std::path::Path;
 
 use crate::cache::Cache;
 use crate::check::{Bound, CheckedGraph, CheckedNode, Source};
-use crate::edit::resolved;
 use crate::evaluation::EvaluateError;
+use crate::files::resolved;
 use crate::key::{Files, Key, KeyHasher};
 use crate::literal::Literal;
 use crate::node::{Fetched, Fields, NodeError, Params};

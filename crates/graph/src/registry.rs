@@ -8,7 +8,7 @@ use indexmap::IndexMap;
 
 use crate::context::Context;
 use crate::node::{Evaluate, Fields, Node, NodeError, Outputs, Params};
-use crate::param::{Colour, FilePath};
+use crate::param_types::{Colour, FilePath};
 use crate::spec::Specification;
 use crate::value::{TypeEntry, Value};
 
@@ -69,7 +69,7 @@ impl Registry {
         }
         self.types.insert(TypeId::of::<T>(), Arc::new(TypeEntry::new(name, bytes)));
         let kinds = std::mem::take(&mut self.kinds);
-        self.kinds = kinds.into_iter().map(|(name, kind)| (name, self.named(kind))).collect();
+        self.kinds = kinds.into_iter().map(|(name, kind)| (name, self.named(&kind))).collect();
         self
     }
 
@@ -81,14 +81,14 @@ impl Registry {
         if self.kinds.contains_key(&name) {
             self.repeated.push(name);
         } else {
-            let kind = self.named(Arc::new(kind));
+            let kind = self.named(&kind);
             self.kinds.insert(name, kind);
         }
         self
     }
 
     /// The kind with the plain names of its port types.
-    fn named(&self, kind: Arc<Kind>) -> Arc<Kind> {
+    fn named(&self, kind: &Kind) -> Arc<Kind> {
         let mut specification = kind.specification.clone();
         let inputs = specification.inputs.iter_mut().map(|input| &mut input.ty);
         for ty in inputs.chain(specification.outputs.iter_mut().map(|output| &mut output.ty)) {

@@ -53,10 +53,13 @@ impl std::fmt::Debug for Value {
     }
 }
 
+/// Counts the bytes of a value of one type.
+type Measure = Box<dyn Fn(&(dyn Any + Send + Sync)) -> usize + Send + Sync>;
+
 /// What the registry knows of a type.
 pub(crate) struct TypeEntry {
     pub(crate) name: Arc<str>,
-    pub(crate) bytes: Box<dyn Fn(&(dyn Any + Send + Sync)) -> usize + Send + Sync>,
+    pub(crate) bytes: Measure,
 }
 
 impl TypeEntry {

@@ -1,0 +1,12 @@
+use pelage_graph::Node;
+
+/// A node.
+#[derive(Node)]
+#[node(category = "Test")]
+#[output(value: f64, "A number.")]
+pub struct Made {
+    #[input]
+    number: std::sync::Arc<f64>,
+}
+
+fn main() {}

@@ -1,0 +1,12 @@
+use pelage_graph::Node;
+
+#[derive(Node)]
+#[node(category = "Test")]
+#[output(value: f64, "A number.")]
+pub struct Made {
+    /// A number.
+    #[param(default = 1.0, range = 0.0..=2.0, unit = "metres")]
+    number: f64,
+}
+
+fn main() {}

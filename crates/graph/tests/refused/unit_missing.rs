@@ -1,0 +1,13 @@
+use pelage_graph::Node;
+
+/// A node.
+#[derive(Node)]
+#[node(category = "Test")]
+#[output(value: f64, "A number.")]
+pub struct Made {
+    /// A number.
+    #[param(default = 1.0, range = 0.0..=2.0)]
+    number: f64,
+}
+
+fn main() {}

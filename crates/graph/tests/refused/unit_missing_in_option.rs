@@ -1,0 +1,13 @@
+use pelage_graph::Node;
+
+/// A node.
+#[derive(Node)]
+#[node(category = "Test")]
+#[output(value: f64, "A number.")]
+pub struct Made {
+    /// A number, perhaps.
+    #[param]
+    number: Option<u32>,
+}
+
+fn main() {}
