@@ -1,6 +1,9 @@
 //! The node reference, `book/src/nodes.md`: what the program says of its nodes, so that it cannot grow old unnoticed.
 
+use std::env::consts::EXE_SUFFIX;
 use std::fs;
+
+use cargo_metadata::MetadataCommand;
 
 use crate::failure::{Failure, Result};
 use crate::place::Place;
@@ -25,9 +28,20 @@ pub(crate) fn check(place: &Place) -> Result<()> {
 }
 
 /// The page, from the program.
+///
+/// Built for the whole workspace with its examples: the libraries' features are then those that `cargo test` builds, so that the two
+/// share wgpu and all else. `--package pelage-cli` alone would compile most of it a second time.
 fn generate(place: &Place) -> Result<String> {
-    let program = ["run", "--quiet", "--locked", "--package", "pelage-cli", "--", "nodes", "--markdown"];
-    CommandLine::cargo().with(program).within(place.root()).output()
+    let build = ["build", "--workspace", "--features", "pelage-xtask/checks", "--locked", "--bin", "pelage", "--examples"];
+    CommandLine::cargo().with(build).within(place.root()).run()?;
+    CommandLine::new(&program(place)?).with(["nodes", "--markdown"]).output()
+}
+
+/// Where cargo put the program.
+fn program(place: &Place) -> Result<String> {
+    let metadata = MetadataCommand::new().manifest_path(place.at("Cargo.toml")).no_deps().exec();
+    let target = metadata.map_err(|cause| Failure::caused("cargo metadata", cause))?.target_directory;
+    Ok(target.join("debug").join(format!("pelage{EXE_SUFFIX}")).into_string())
 }
 
 /// The number, from 1, of the first line that differs. Line endings do not count, as git may change them.
