@@ -5,7 +5,7 @@ use pelage_mesh::Mesh;
 /// Side of the hair tile that suits most models, as a fraction of [`Mesh::diameter`].
 pub const DEFAULT_TILE_FRACTION: f64 = 0.08;
 /// Splotch diameter that suits most models, in tiles.
-pub const DEFAULT_PATCH_EXTENT: f64 = 1.0;
+pub const DEFAULT_PATCH_EXTENT: f64 = 0.9;
 /// The weight of alignment at which, on animals of 5,000 faces, hair strays about 6° from the field and is stretched by about 5 %.
 pub const DEFAULT_ALIGNMENT: f64 = 0.5;
 /// Greatest stretch of any face.
