@@ -90,7 +90,13 @@ impl<'a> Completion<'a> {
     /// A first guess for what is unknown, ring by ring from what is known; which vertices were reached.
     fn fill(&mut self) -> Vec<bool> {
         let mut reached: Vec<bool> = self.trust.iter().map(|&trust| trust > 0.0).collect();
-        let mut queue: VecDeque<VertexId> = self.topology.vertices().filter(|v| reached[v.index()]).collect();
+        // What is known starts the walk where it touches what is not: in order, whatever it was found from.
+        let unknown = self.vertices_in_need().filter(|v| !reached[v.index()]);
+        let touched = unknown.flat_map(|v| self.topology.vertex_neighbours(v)).filter(|v| reached[v.index()]);
+        let mut rim: Vec<VertexId> = touched.collect();
+        rim.sort_unstable();
+        rim.dedup();
+        let mut queue = VecDeque::from(rim);
         while let Some(vertex) = queue.pop_front() {
             if self.trust[vertex.index()] == 0.0 {
                 // Only what is filled already speaks; where it cancels nothing is made up.

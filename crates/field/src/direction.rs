@@ -114,10 +114,8 @@ impl DirectionField {
     }
 }
 
-/// The coordinate axis that lies most across some directions; of equal ones the first.
+/// A unit vector across most of some directions, and along no coordinate axis if it can be, as flat sides of models often lie across one.
 fn across(directions: &[DVec3]) -> DVec3 {
-    let along: DVec3 = directions.iter().map(|&d| d * d).sum();
-    // Up to rounding, so that directions that differ by it have the same axis.
-    let least = along.min_element() + 1e-9 * directions.len() as f64;
-    DVec3::AXES.into_iter().find(|axis| axis.dot(along) <= least).unwrap_or(DVec3::X)
+    let along: DVec3 = directions.iter().map(|&d| d * d).sum::<DVec3>() / directions.len() as f64;
+    unit((DVec3::ONE - along) * DVec3::new(1.0, 0.8, 0.6))
 }

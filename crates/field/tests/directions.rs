@@ -10,9 +10,15 @@ use pelage_mesh::{Mesh, plane, read_obj, rounded_die, sphere, torus};
 /// The clean models of the folder `PELAGE_MODELS`, and our own.
 fn models() -> Vec<(String, Mesh)> {
     let bunny = read_obj(&Path::new(env!("CARGO_MANIFEST_DIR")).join("../../graphs/models/bunny.obj")).unwrap();
+    let corners = vec![DVec3::ZERO, DVec3::X, DVec3::Y, DVec3::Z];
+    let tetrahedron = Mesh::from_triangles(corners, &[[0, 2, 1], [0, 1, 3], [1, 2, 3], [2, 0, 3]]).unwrap();
     let mut models = vec![
+        ("tetrahedron".to_owned(), tetrahedron),
         ("bunny".to_owned(), bunny),
         ("sphere".to_owned(), sphere(1.0, 14).unwrap()),
+        // So coarse that each face is a great part of the whole curvature.
+        ("icosahedron".to_owned(), sphere(1.0, 1).unwrap()),
+        ("coarse torus".to_owned(), torus(1.0, 0.4, 4, 3).unwrap()),
         ("torus".to_owned(), torus(1.0, 0.4, 40, 24).unwrap()),
         ("die".to_owned(), rounded_die(1.0, 0.3, 20).unwrap()),
         ("plane".to_owned(), plane(1.0, 1.0, 12, 12).unwrap()),
@@ -279,4 +285,37 @@ fn what_makes_no_field_is_refused() {
     let field = DirectionField::toward(&ball, DVec3::X).unwrap();
     assert!(matches!(singularities(&empty, &field), Err(FieldError::Length { .. })));
     assert!(matches!(field.smoothed(&empty, 1), Err(FieldError::Length { .. })));
+}
+
+/// A die whose vertices are off by 1/1000 of its side, the same on each run.
+fn rough_die() -> Mesh {
+    let die = rounded_die(1.0, 0.3, 24).unwrap();
+    let jolt = |k: usize| (k as f64 * 78.233).sin() * 1e-3;
+    let rough = die.positions().iter().enumerate().map(|(k, &p)| p + DVec3::new(jolt(3 * k), jolt(3 * k + 1), jolt(3 * k + 2)));
+    die.with_positions(rough.collect()).unwrap()
+}
+
+#[test]
+fn roughness_of_what_lies_across_is_not_taken_for_a_direction() {
+    let die = rough_die();
+    let field = DirectionField::toward(&die, DVec3::Y).unwrap();
+    let (top, bottom): (Vec<_>, Vec<_>) = singularities(&die, &field).unwrap().into_iter().partition(|s| die.face_centre(s.face).y > 0.0);
+    for side in [top, bottom] {
+        assert_eq!(side.iter().map(|s| s.index).collect::<Vec<_>>(), [1], "{side:?}");
+        let place = die.face_centre(side[0].face);
+        assert!(place.y.abs() > 0.49 && place.x.hypot(place.z) < 0.15, "{place}");
+    }
+}
+
+#[test]
+fn smoothing_brings_neighbours_together() {
+    let die = rough_die();
+    let difference = |field: &DirectionField| -> f64 {
+        let across = |h| field.at_vertex(die.topology().origin(h)).distance_squared(field.at_vertex(die.topology().tip(h)));
+        die.topology().edges().map(across).sum()
+    };
+    let field = DirectionField::toward(&die, DVec3::new(1.0, 0.3, 0.2)).unwrap();
+    let (five, twenty) = (field.smoothed(&die, 5).unwrap(), field.smoothed(&die, 20).unwrap());
+    assert!(difference(&five) < 0.97 * difference(&field) && difference(&twenty) < difference(&five));
+    assert_eq!(field.smoothed(&die, 0).unwrap(), field);
 }

@@ -169,3 +169,32 @@ fn slivers_have_normals_and_angles() {
     assert!(flat.vertex_normals().iter().all(|&n| n == DVec3::ZERO));
     assert!(flat.corner_angles(pelage_mesh::FaceId(1)).iter().all(|a| a.is_finite()));
 }
+
+#[test]
+fn normals_at_vertices_do_not_depend_on_how_a_flat_side_is_cut() {
+    // The three sides at a cube's corner have four, five or six triangles there; each side counts the same.
+    for segments in [3, 4] {
+        let cube = rounded_die(2.0, 0.0, segments).unwrap();
+        for (p, n) in cube.positions().iter().zip(cube.vertex_normals()) {
+            let outermost = p.abs().cmpge(DVec3::splat(1.0 - 1e-12));
+            let expected = DVec3::select(outermost, p.signum(), DVec3::ZERO).normalize();
+            assert!(n.distance(expected) < 1e-12, "at {p}: {n}");
+        }
+    }
+}
+
+#[test]
+fn normals_and_angles_hold_beyond_where_squares_do() {
+    let unit = torus(1.0, 0.4, 12, 8).unwrap();
+    for scale in [1e-250, 1e-160, 1e160, 1e250] {
+        let scaled = unit.with_positions(unit.positions().iter().map(|&p| scale * p).collect()).unwrap();
+        for (a, b) in unit.vertex_normals().iter().zip(scaled.vertex_normals()) {
+            assert!(a.distance(b) < 1e-12, "× {scale}: {a} became {b}");
+        }
+        for face in unit.topology().faces() {
+            assert!(unit.face_normal(face).distance(scaled.face_normal(face)) < 1e-12);
+            let angles = unit.corner_angles(face).into_iter().zip(scaled.corner_angles(face));
+            assert!(angles.into_iter().all(|(a, b)| (a - b).abs() < 1e-12));
+        }
+    }
+}

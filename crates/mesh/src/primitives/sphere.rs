@@ -78,7 +78,7 @@ fn icosahedron() -> [DVec3; 12] {
 }
 
 /// A direction between three that are atan 2 apart. Along a side it is that of spherical interpolation, so that arcs are equal;
-/// inside, its weights extended, which keeps areas within about a quarter of each other (plain projection: a factor of two).
+/// inside, its weights extended, which keeps areas within a factor of 1.21 of each other (plain projection: up to 2).
 fn between(corners: [DVec3; 3], weights: [f64; 3]) -> DVec3 {
     let angle = libm::atan(2.0);
     let sum: DVec3 = corners.into_iter().zip(weights).map(|(corner, weight)| corner * libm::sin(angle * weight)).sum();
