@@ -121,3 +121,45 @@ impl Disc {
         slot
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const NOWHERE: [DVec2; 3] = [DVec2::ZERO; 3];
+
+    fn faces(triangles: &[[u32; 3]]) -> Topology {
+        let vertices = triangles.iter().flatten().max().map_or(0, |&most| most as usize + 1);
+        Topology::from_triangles(vertices, triangles).unwrap()
+    }
+
+    /// Three faces of a tetrahedron are a disc; the fourth would close it.
+    #[test]
+    fn the_last_face_of_a_sphere_is_barred() {
+        let tetrahedron = faces(&[[0, 1, 2], [0, 3, 1], [0, 2, 3], [1, 3, 2]]);
+        let mut disc = Disc::new(&tetrahedron);
+        disc.clear();
+        disc.push(&tetrahedron, FaceId(0), NOWHERE);
+        assert_eq!(disc.contact(&tetrahedron, FaceId(1)), Contact::Side { side: 2 });
+        disc.push(&tetrahedron, FaceId(1), NOWHERE);
+        assert_eq!(disc.contact(&tetrahedron, FaceId(2)), Contact::Wedge);
+        disc.push(&tetrahedron, FaceId(2), NOWHERE);
+        assert_eq!(disc.contact(&tetrahedron, FaceId(3)), Contact::Barred);
+    }
+
+    /// A ring of six faces: the last two touch both ends of what is there.
+    #[test]
+    fn a_ring_does_not_close() {
+        let ring = faces(&[[0, 1, 3], [1, 4, 3], [1, 2, 4], [2, 5, 4], [2, 0, 5], [0, 3, 5]]);
+        let mut disc = Disc::new(&ring);
+        disc.clear();
+        for face in 0..4 {
+            assert!(face == 0 || disc.contact(&ring, FaceId(face)) != Contact::Barred);
+            disc.push(&ring, FaceId(face), NOWHERE);
+        }
+        assert_eq!(disc.contact(&ring, FaceId(4)), Contact::Barred, "along 2–5, with 0 at the far end");
+        assert_eq!(disc.contact(&ring, FaceId(5)), Contact::Barred, "along 0–3, with 5 at the far end");
+        disc.clear();
+        assert!(disc.faces.is_empty() && !disc.contains(FaceId(0)), "a cleared disc holds nothing");
+    }
+}

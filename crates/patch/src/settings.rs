@@ -5,7 +5,7 @@ use pelage_mesh::Mesh;
 /// Side of the hair tile that suits most models, as a fraction of [`Mesh::diameter`].
 pub const DEFAULT_TILE_FRACTION: f64 = 0.08;
 /// Splotch diameter that suits most models, in tiles.
-pub const DEFAULT_PATCH_EXTENT: f64 = 1.0;
+pub const DEFAULT_PATCH_EXTENT: f64 = 0.9;
 /// The weight of alignment at which, on animals of 5,000 faces, hair strays about 6° from the field and is stretched by about 5 %.
 pub const DEFAULT_ALIGNMENT: f64 = 0.5;
 /// Greatest stretch of any face.
@@ -16,8 +16,8 @@ pub const DEFAULT_MAX_TURNING: f64 = std::f64::consts::FRAC_PI_3;
 /// How patches are to be grown.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Settings {
-    /// Side of the hair tile on the surface, in model units; finite and above 0. Hair gets coarser with it; it changes neither time nor,
-    /// `tile_side` × `patch_extent` kept, the patches.
+    /// Side of the hair tile on the surface, in model units; finite and above 0. Hair gets coarser with it; with
+    /// `tile_side` × `patch_extent` kept, neither the patches nor the time change.
     pub tile_side: f64,
     /// Diameter of the splotch that a patch fills, in tiles; finite and above 0, and may exceed 1, as the tile repeats (Lengyel et al.
     /// 2001, section 2.1). Twice the extent: about a quarter of the patches, and more stretch and turning, up to the bounds below.
