@@ -22,6 +22,13 @@ const FIRST_BOUNDS: f64 = 0.75;
 const ROUNDS: [(f64, usize, f64); 3] = [(0.3, 0, 1.5), (0.1, 4, 2.5), (0.1, 4, 2.5)];
 
 /// Covers a mesh with lapped patches that do not overlap: every face lies in exactly one, and every patch is a topological disc.
+///
+/// With `directions` the tile's t axis follows the field; without, the tiling is isotropic: each patch is turned at random. No face is
+/// flipped, and every face with area keeps the bounds on stretch and (with a field) turning. A mesh without faces gives a tiling without
+/// patches. The result depends on the arguments alone, to the last bit; it takes about 3 µs a face on one thread.
+///
+/// # Errors
+/// Where a setting is out of range, the field is not of this mesh, or the model's diameter is beyond 1e±100 tiles.
 pub fn grow(mesh: &Mesh, directions: Option<&DirectionField>, settings: &Settings) -> Result<PatchTiling, PatchError> {
     settings.validate()?;
     check_scale(mesh, settings.tile_side)?;

@@ -89,10 +89,8 @@ impl PatchTiling {
         }
     }
 
-    /// The angle, in degrees, between the field and the hair in each of [`PatchTiling::faces`]; NaN in faces without area or direction.
-    ///
-    /// # Panics
-    /// Never; a tiling of another mesh gives NaN where the mesh has no such face.
+    /// The angle, in degrees, between the field and the hair in each of [`PatchTiling::faces`]; NaN in faces without area or
+    /// direction, or that the mesh does not have.
     pub fn misalignment_deg(&self, mesh: &Mesh, directions: &DirectionField) -> Vec<f64> {
         if directions.vectors().len() != mesh.topology().vertex_count() {
             return vec![f64::NAN; self.faces().len()];
