@@ -43,8 +43,7 @@ pub fn sphere(n: u32, tiles: f32) -> Shape {
 /// A torus about the y axis: a whole number of tiles each way, one patch.
 pub fn torus((columns, rows): (u32, u32), (around, across): (u32, u32)) -> Shape {
     let (major, minor) = (0.26, 0.11);
-    let mut shape =
-        Shape { positions: vec![], normals: vec![], patches: PatchMesh::default(), tiles: around as f32 / (TAU * major) };
+    let mut shape = Shape { positions: vec![], normals: vec![], patches: PatchMesh::default(), tiles: around as f32 / (TAU * major) };
     for row in 0..rows {
         for column in 0..columns {
             let (a, b) = (column as f32 / columns as f32 * TAU, row as f32 / rows as f32 * TAU);
