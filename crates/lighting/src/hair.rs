@@ -24,14 +24,17 @@ pub struct HairLighting {
 }
 
 impl Default for HairLighting {
-    /// A soft coat: half the light diffuse, a faint broad highlight.
+    /// A soft coat with a faint broad highlight.
+    ///
+    /// Hair that points at the light returns none of it, which leaves a dark spot where a coat should be brightest; real hair scatters about
+    /// its mean direction. A diffuse power under 1 stands for that.
     fn default() -> Self {
         Self {
-            ambient: DVec3::splat(0.8),
-            diffuse: DVec3::splat(0.9),
+            ambient: DVec3::splat(0.7),
+            diffuse: DVec3::splat(1.0),
             specular: DVec3::splat(0.25),
-            diffuse_power: 1.0,
-            specular_power: 24.0,
+            diffuse_power: 0.6,
+            specular_power: 20.0,
         }
     }
 }

@@ -1,5 +1,5 @@
 //! Coats made by hand, for the tests, examples and benchmarks of this crate alone: it knows no mesh, no patches and no strands.
-#![allow(dead_code, clippy::expect_used, clippy::panic, reason = "shared by several programs, each of which uses a part")]
+#![allow(dead_code, unreachable_pub, clippy::expect_used, clippy::panic, reason = "shared by several programs, each of which uses a part")]
 
 mod edges;
 pub mod hair;
@@ -34,7 +34,7 @@ pub struct Style {
 
 impl Default for Style {
     fn default() -> Self {
-        Self { length: 0.04, slant: 0.6, toward: Vec3::new(0.0, -1.0, 0.25) }
+        Self { length: 0.022, slant: 0.7, toward: Vec3::new(0.0, -1.0, 0.25) }
     }
 }
 

@@ -172,7 +172,7 @@ fn frame_entries() -> [BindGroupLayoutEntry; 5] {
         entry(0, both, uniform),
         entry(1, both, texture(TextureViewDimension::D2)),
         entry(2, both, sampler),
-        entry(3, ShaderStages::FRAGMENT, sampler),
+        entry(3, both, sampler),
         entry(4, ShaderStages::FRAGMENT, sampler),
     ]
 }
@@ -185,7 +185,7 @@ fn coat_entries() -> [BindGroupLayoutEntry; 6] {
         entry(1, ShaderStages::VERTEX, storage),
         entry(2, ShaderStages::VERTEX, storage),
         entry(3, ShaderStages::VERTEX, storage),
-        entry(4, ShaderStages::FRAGMENT, texture(TextureViewDimension::D2Array)),
+        entry(4, ShaderStages::VERTEX_FRAGMENT, texture(TextureViewDimension::D2Array)),
         entry(5, ShaderStages::FRAGMENT, texture(TextureViewDimension::D2)),
     ]
 }

@@ -56,7 +56,7 @@ impl FrameUniform {
                 (1.0 / (facing.full_above - facing.dark_below).max(1e-9)) as f32,
                 0.0,
             ],
-            fur: [view.options.length_scale, 1.0 / layers.saturating_sub(1).max(1) as f32, threshold, 1.0 / GROWTH_LENGTH],
+            fur: [not_negative(view.options.length_scale), 1.0 / layers.saturating_sub(1).max(1) as f32, threshold, 1.0 / GROWTH_LENGTH],
             table: table(view.options.lighting),
         };
         uniform.check()?;
@@ -73,6 +73,11 @@ impl FrameUniform {
         ];
         parts.iter().find(|(_, fine)| !fine).map_or(Ok(()), |&(what, _)| Err(RenderError::View { what }))
     }
+}
+
+/// Unlike `max`, NaN stays NaN and is refused.
+fn not_negative(x: f32) -> f32 {
+    if x < 0.0 { 0.0 } else { x }
 }
 
 fn four(v: Vec3, w: f32) -> [f32; 4] {

@@ -2,11 +2,9 @@
 
 struct FinVertex {
     @builtin(position) position: vec4f,
-    @location(0) place: vec3f,
-    @location(1) normal: vec3f,
-    @location(2) direction: vec3f,
-    @location(3) colour: vec3f,
-    @location(4) fin: vec4f,  // along the texture, height, growth, opacity
+    @location(0) fin: vec4f,      // along the texture, height, growth, opacity
+    @location(1) ambient: vec3f,  // the light without what dies away with depth, which is not linear along the hair
+    @location(2) direct: vec4f,   // likewise, and the optical depth of the whole length towards the light
 };
 
 fn fin_opacity(a: vec3f, b: vec3f, offset: vec3f, normal_a: vec3f, normal_b: vec3f, curvature: f32) -> f32 {
@@ -38,7 +36,7 @@ fn fin_vertex(@builtin(vertex_index) corner: u32, @builtin(instance_index) edge:
         a.position, b.position, 0.5 * (a.offset + b.offset), bitcast<vec3f>(first.xyz), bitcast<vec3f>(second.xyz), bitcast<f32>(first.w));
     if opacity <= 0.0 {
         // All four corners in one place: nothing is drawn.
-        return FinVertex(vec4f(0.0, 0.0, 0.0, 1.0), vec3f(0.0), vec3f(0.0), vec3f(0.0), vec3f(0.0), vec4f(0.0));
+        return FinVertex(vec4f(0.0, 0.0, 0.0, 1.0), vec4f(0.0), vec3f(0.0), vec4f(0.0));
     }
     var v = a;
     if (corner & 1u) == 1u {
@@ -47,15 +45,20 @@ fn fin_vertex(@builtin(vertex_index) corner: u32, @builtin(instance_index) edge:
     let height = f32(corner >> 1u);
     let along = bitcast<f32>(select(ends.z, ends.w, (corner & 1u) == 1u));
     let place = v.position + v.offset * height;
+    let half = half_vector(normalize(frame.eye.xyz - place));
+    let factor = factors(dot(v.direction, frame.light.xyz), dot(v.direction, half.xyz)) * vec2f(1.0, half.w);
+    let n_dot_l = dot(v.normal, frame.light.xyz);
     return FinVertex(
-        frame.clip_from_coat * vec4f(place, 1.0), place, v.normal, v.direction, v.colour,
-        vec4f(along, height, growth_of(v.offset), opacity));
+        frame.clip_from_coat * vec4f(place, 1.0), vec4f(along, height, growth_of(v.offset), opacity),
+        v.colour * frame.ambient.xyz * hemisphere(v.normal),
+        vec4f(v.colour * reflected(factor) * frame.light_colour.xyz * facing(n_dot_l), slanted_density(n_dot_l)));
 }
 
 @fragment
 fn fin_fragment(in: FinVertex) -> @location(0) vec4f {
     // Row 0 of the texture is the tips.
-    let hair = textureSample(fin_texture, fin_sampler, vec2f(in.fin.x, 1.0 - in.fin.y)) * (in.fin.w * clamp(in.fin.z, 0.0, 1.0));
-    let light = hair_light(in.place, normalize(in.normal), normalize(in.direction), in.fin.y);
-    return vec4f(hair.rgb * in.colour * light, hair.a);
+    let depth = 1.0 - in.fin.y;
+    let hair = textureSample(fin_texture, fin_sampler, vec2f(in.fin.x, depth)) * (in.fin.w * clamp(in.fin.z, 0.0, 1.0));
+    let light = in.ambient * floored(frame.shadow.w * depth) + in.direct.xyz * floored(in.direct.w * depth);
+    return vec4f(hair.rgb * light, hair.a);
 }

@@ -44,11 +44,20 @@ fn ambient_light(normal: vec3f, depth: f32) -> vec3f {
     return frame.ambient.xyz * hemisphere(normal) * floored(frame.shadow.w * depth);
 }
 
+// How far round the skin the light reaches.
+fn facing(n_dot_l: f32) -> f32 {
+    let t = clamp((n_dot_l - frame.facing.y) * frame.facing.z, 0.0, 1.0);
+    return 1.0 + frame.facing.x * (t * t * (3.0 - 2.0 * t) - 1.0);
+}
+
+// The optical depth of the whole length of the fur towards the light.
+fn slanted_density(n_dot_l: f32) -> f32 {
+    return frame.shadow.x / max(n_dot_l, frame.shadow.z);
+}
+
 // shadow(depth, N·L) · facing(N·L) · light.
 fn direct_light(n_dot_l: f32, depth: f32) -> vec3f {
-    let t = clamp((n_dot_l - frame.facing.y) * frame.facing.z, 0.0, 1.0);
-    let facing = 1.0 + frame.facing.x * (t * t * (3.0 - 2.0 * t) - 1.0);
-    return frame.light_colour.xyz * facing * floored(frame.shadow.x * depth / max(n_dot_l, frame.shadow.z));
+    return frame.light_colour.xyz * facing(n_dot_l) * floored(slanted_density(n_dot_l) * depth);
 }
 
 // Kd · diffuse + Ks · specular.

@@ -2,28 +2,25 @@
 
 struct SurfaceVertex {
     @builtin(position) position: vec4f,
-    @location(0) place: vec3f,
-    @location(1) normal: vec3f,
-    @location(2) direction: vec3f,
-    @location(3) colour: vec3f,
-    @location(4) tile: vec3f,  // tile coordinates, growth
+    @location(0) tile: vec3f,   // tile coordinates, growth
+    @location(1) light: vec3f,  // under the fur, lit at vertices: hardly any of it is seen
+    @location(2) skin: vec3f,   // the skin's own colour, lit at pixels
+    @location(3) normal: vec3f,
 };
 
 @vertex
 fn surface_vertex(@location(0) index: u32, @location(1) tile: vec2f) -> SurfaceVertex {
     let v = vertex_at(index);
+    // The skin's own colour is the mean of its layer: the last level of detail.
+    let mean = textureSampleLevel(shell_layers, tile_sampler, vec2f(0.5), 0, 16.0).rgb;
     return SurfaceVertex(
-        frame.clip_from_coat * vec4f(v.position, 1.0), v.position, v.normal, v.direction, v.colour,
-        vec3f(tile, growth_of(v.offset)));
+        frame.clip_from_coat * vec4f(v.position, 1.0), vec3f(tile, growth_of(v.offset)),
+        v.colour * hair_light(v.position, v.normal, v.direction, 0.0), v.colour * mean, v.normal);
 }
 
 @fragment
 fn surface_fragment(in: SurfaceVertex) -> @location(0) vec4f {
-    let growth = clamp(in.tile.z, 0.0, 1.0);
-    let normal = normalize(in.normal);
-    let under_fur = textureSample(shell_layers, tile_sampler, in.tile.xy, 0).rgb
-        * hair_light(in.place, normal, normalize(in.direction), 0.0);
-    // The skin's own colour is the mean of its layer: the last level of detail.
-    let bare = textureSampleLevel(shell_layers, tile_sampler, in.tile.xy, 0, 16.0).rgb * skin_light(normal);
-    return vec4f(in.colour * mix(bare, under_fur, growth), 1.0);
+    let under_fur = textureSample(shell_layers, tile_sampler, in.tile.xy, 0).rgb * in.light;
+    let bare = in.skin * skin_light(normalize(in.normal));
+    return vec4f(mix(bare, under_fur, clamp(in.tile.z, 0.0, 1.0)), 1.0);
 }

@@ -1,0 +1,126 @@
+//! The frame time at 640 × 480, 16 layers and fins, beside the floors it is judged by, all in one run and in turn.
+//!
+//! The *same draw*: identical geometry, blending, depth, sampler, one filtered array fetch a fragment, no lighting, everything computed ahead.
+//! The *full screen*: as many fragments as full-screen rectangles, textured and blended, as context. `cargo bench -p pelage-render --bench frame`,
+//! `-- ROUNDS` for another number of rounds than 20.
+#![allow(clippy::print_stdout, clippy::expect_used, reason = "a benchmark prints and may panic")]
+#![allow(unreachable_pub, reason = "modules of a program")]
+
+mod floor;
+#[path = "../../samples/mod.rs"]
+mod samples;
+mod stage;
+
+use std::time::Instant;
+
+use glam::Vec3;
+use pelage_coat::{Camera, Coat};
+use pelage_lighting::TableLayout;
+use pelage_render::{GpuCoat, Headless, LightingMode, Options, PreparedView, Renderer, ShellDepth, Target, View, Viewpoint};
+use samples::hair::Recipe;
+use samples::{Style, coat, light, shapes};
+use wgpu::{RenderPass, TextureFormat};
+
+use floor::{Floor, FullScreen};
+use stage::{SIZE, Stage};
+
+fn main() {
+    let rounds = std::env::args().skip(1).find_map(|a| a.parse().ok()).unwrap_or(20);
+    let headless = Headless::new().expect("an adapter");
+    println!("{} at {} × {}", headless.summary().name, SIZE.0, SIZE.1);
+    let coat = coat(&shapes::sphere(20, 7.0), Style::default(), &Recipe::default().grow());
+    println!("{} faces, {} edges, {} layers", coat.patches.faces.len(), coat.edges.vertices.len(), coat.shells.layers);
+    for samples in [1, 4] {
+        bench(&headless, &coat, samples, rounds);
+    }
+    headless.check().expect("no validation error");
+}
+
+fn view(options: Options) -> View {
+    let camera = Camera::framing(Vec3::ZERO, 0.34, 0.6, 0.3, 0.6, SIZE.0 as f32 / SIZE.1 as f32, 1.05);
+    View { options, ..View::new(camera, light(Vec3::new(0.5, 0.8, 0.6))) }
+}
+
+/// One way of drawing, its name and its times.
+struct Contender<'a> {
+    name: String,
+    draw: Box<dyn Fn(&mut RenderPass<'_>) + 'a>,
+    times: Vec<f64>,
+    fragments: u64,
+}
+
+fn bench(headless: &Headless, coat: &Coat, samples: u32, rounds: usize) {
+    let (device, queue) = (headless.device(), headless.queue());
+    let target = Target::new(TextureFormat::Rgba8UnormSrgb, samples);
+    let renderer = Renderer::new(device, queue, target);
+    let gpu_coat = renderer.upload(device, queue, coat).expect("a whole coat");
+    let defaults = Options::default();
+    let variants = [
+        ("lit at vertices (default)", defaults),
+        ("lit at pixels, formula", Options { lighting: LightingMode::Formula, ..defaults }),
+        ("lit at pixels, 64² table", Options { lighting: LightingMode::Table(TableLayout::default()), ..defaults }),
+        ("lit at pixels, 32² cosine table", Options { lighting: LightingMode::Table(TableLayout::PAPER), ..defaults }),
+        ("depth only tested", Options { shell_depth: ShellDepth::Tested, ..defaults }),
+        ("without fins", Options { fins: false, ..defaults }),
+        ("anisotropy 4", Options { anisotropy: 4, ..defaults }),
+    ];
+    let prepare = |options| prepare(headless, &renderer, &gpu_coat, options);
+    let prepared: Vec<(&str, PreparedView)> = variants.iter().map(|&(name, options)| (name, prepare(options))).collect();
+    let stage = Stage::new(device, target);
+    let floors = [(true, "floor: same draw"), (false, "floor: same draw, depth only tested")]
+        .map(|(written, name)| (name, Floor::new(device, queue, target, coat, &view(defaults), written)));
+
+    // As many rectangles as the default draws fragments.
+    let fragments = stage.fragments(headless, &|pass| renderer.draw(pass, &gpu_coat, &prepared[0].1));
+    let count = (fragments as f64 / f64::from(SIZE.0 * SIZE.1 * samples)).round().max(1.0) as u32;
+    let full = FullScreen::new(device, queue, target, coat, count);
+    let mut contenders: Vec<Contender<'_>> = Vec::new();
+    for (name, view) in &prepared {
+        contenders.push(contender(name, |pass| renderer.draw(pass, &gpu_coat, view)));
+    }
+    for (name, floor) in &floors {
+        contenders.push(contender(name, |pass| floor.draw(pass)));
+    }
+    contenders.push(contender(&format!("floor: {count} full screens"), |pass| full.draw(pass)));
+    for contender in &mut contenders {
+        contender.fragments = stage.fragments(headless, &contender.draw);
+    }
+
+    // In turn, so that a busy machine is unfair to all alike.
+    for round in 0..rounds + 2 {
+        for contender in &mut contenders {
+            let start = Instant::now();
+            stage.frame(headless, &contender.draw);
+            if round >= 2 {
+                contender.times.push(start.elapsed().as_secs_f64() * 1e3);
+            }
+        }
+    }
+    let fins = prepared[0].1.fin_count(&gpu_coat);
+    println!("\n{samples} samples, {rounds} rounds, {fins} fins, {} triangles", prepared[0].1.triangle_count(&gpu_coat));
+    println!("{:36} {:>9} {:>9} {:>11} {:>9} {:>14}", "", "min ms", "median", "fragments", "ns each", "of same draw");
+    let same = contenders.iter().position(|c| c.name == floors[0].0).expect("the floor");
+    let floor_times = contenders[same].times.clone();
+    for contender in &mut contenders {
+        // The ratio round by round, then its median: what both had to share cancels.
+        let ratio = median(&mut contender.times.iter().zip(&floor_times).map(|(ours, floor)| ours / floor).collect::<Vec<_>>());
+        let median = median(&mut contender.times);
+        let each = median * 1e6 / contender.fragments as f64;
+        println!("{:36} {:9.1} {median:9.1} {:11} {each:9.2} {ratio:14.2}", contender.name, contender.times[0], contender.fragments);
+    }
+}
+
+fn prepare(headless: &Headless, renderer: &Renderer, coat: &GpuCoat, options: Options) -> PreparedView {
+    let view = view(options);
+    let viewpoint = Viewpoint::of(&view.camera, SIZE.0 as f32 / SIZE.1 as f32);
+    renderer.prepare(headless.device(), headless.queue(), coat, &view, &viewpoint).expect("a finite view")
+}
+
+fn contender<'a>(name: &str, draw: impl Fn(&mut RenderPass<'_>) + 'a) -> Contender<'a> {
+    Contender { name: name.to_owned(), draw: Box::new(draw), times: Vec::new(), fragments: 0 }
+}
+
+fn median(times: &mut [f64]) -> f64 {
+    times.sort_by(f64::total_cmp);
+    times[times.len() / 2]
+}

@@ -1,0 +1,185 @@
+//! The shaders compute what `pelage_lighting` and `fin_opacity` say.
+
+mod support;
+
+use glam::{DVec3, Vec3};
+use pelage_coat::{Camera, Coat, FinEdges, Light, PatchMesh, Surface};
+use pelage_lighting::{Facing, HairLighting, HairPoint, Illumination, SelfShadow, Shading, TableLayout};
+use pelage_render::{LightingMode, Options, ShellRange, View, fin_edges, fin_opacity};
+
+use support::samples::{Dice, Style, coat, shapes};
+use support::{SIZE, bytes, flat_hair, middle, picture};
+
+const ALBEDO: Vec3 = Vec3::new(0.5, 0.25, 0.75);
+const LENGTH: f32 = 0.06;
+
+fn shading() -> Shading {
+    Shading {
+        hair: HairLighting {
+            ambient: DVec3::new(0.5, 0.6, 0.7),
+            diffuse: DVec3::new(0.8, 0.6, 0.4),
+            specular: DVec3::new(0.3, 0.4, 0.2),
+            diffuse_power: 1.5,
+            specular_power: 8.0,
+        },
+        self_shadow: SelfShadow { density: 1.1, minimum: 0.1, grazing: 0.3 },
+        facing: Facing { strength: 0.8, dark_below: -0.3, full_above: 0.8 },
+    }
+}
+
+fn light(direction: Vec3) -> Light {
+    Light {
+        direction: direction.normalize(),
+        colour: Vec3::new(0.9, 0.8, 0.7),
+        sky: Vec3::new(0.3, 0.35, 0.4),
+        ground: Vec3::new(0.2, 0.15, 0.1),
+    }
+}
+
+fn illumination(light: &Light) -> Illumination {
+    Illumination {
+        direction: light.direction.as_dvec3(),
+        colour: light.colour.as_dvec3(),
+        sky: light.sky.as_dvec3(),
+        ground: light.ground.as_dvec3(),
+    }
+}
+
+fn near(seen: [u8; 3], light: DVec3, what: &str) {
+    let expected = bytes(light * ALBEDO.as_dvec3());
+    assert!(seen.iter().zip(expected).all(|(&a, b)| a.abs_diff(b) <= 2), "{what}: {seen:?} is not {expected:?}");
+}
+
+/// A square in the plane z = 0 whose hair leans, all of one colour; the middle pixel is a vertex.
+fn square() -> Coat {
+    let style = Style { length: LENGTH, slant: 0.9, toward: Vec3::new(1.0, -0.5, 0.0) };
+    let mut coat = coat(&shapes::square(8, 1.0), style, &flat_hair(5, Vec3::ONE));
+    coat.surface.colours.fill(ALBEDO);
+    coat
+}
+
+fn front(lighting: LightingMode, light: Light, options: Options) -> View {
+    // Half a pixel off the middle of an even picture is nothing at this distance.
+    let camera = Camera { eye: Vec3::new(0.1, 0.2, 3.0), target: Vec3::ZERO, up: Vec3::Y, field_of_view: 0.3, near: 0.1 };
+    View { camera, light, shading: shading(), options: Options { lighting, ..options } }
+}
+
+const LIGHTS: [Vec3; 5] =
+    [Vec3::new(0.0, 0.3, 1.0), Vec3::new(1.0, 0.0, 0.2), Vec3::new(-0.8, -0.5, 0.4), Vec3::new(0.3, 0.9, -0.1), Vec3::new(0.0, 0.2, -1.0)];
+
+#[test]
+fn shells_are_lit_as_the_formula_says() {
+    for lighting in [LightingMode::PerVertex, LightingMode::Formula, LightingMode::Table(TableLayout::default())] {
+        for direction in LIGHTS {
+            for layer in [1, 2, 4] {
+                let layers = ShellRange { first: layer, end: layer + 1, left_out: None };
+                let view = front(lighting, light(direction), Options { surface: false, fins: false, layers, ..Options::default() });
+                let coat = square();
+                let (normal, height) = (DVec3::Z, f64::from(layer) / 4.0);
+                let hair = HairPoint { direction: coat.surface.directions[40].as_dvec3().normalize(), normal, height };
+                // Above the middle pixel the layer is at its own height over the square.
+                let place = Vec3::new(0.0, 0.0, coat.surface.offsets[40].z * height as f32);
+                let toward = (view.camera.eye - place).as_dvec3().normalize();
+                let expected = view.shading.shade(&illumination(&view.light), toward, &hair);
+                near(middle(&picture(&coat, &view)), expected, &format!("{lighting:?}, light {direction}, layer {layer}"));
+            }
+        }
+    }
+}
+
+#[test]
+fn the_skin_under_fur_is_lit_at_full_depth_and_bare_skin_plainly() {
+    for direction in LIGHTS {
+        let view = front(LightingMode::Formula, light(direction), Options { shells: false, fins: false, ..Options::default() });
+        let coat = square();
+        let hair = HairPoint { direction: coat.surface.directions[40].as_dvec3().normalize(), normal: DVec3::Z, height: 0.0 };
+        let expected = view.shading.shade(&illumination(&view.light), view.camera.eye.as_dvec3().normalize(), &hair);
+        near(middle(&picture(&coat, &view)), expected, &format!("under fur, light {direction}"));
+        let bare = View { options: Options { length_scale: 0.0, ..view.options }, ..view.clone() };
+        near(middle(&picture(&coat, &bare)), bare.shading.skin(&illumination(&bare.light), DVec3::Z), &format!("bare, light {direction}"));
+    }
+}
+
+#[test]
+fn fins_are_lit_as_the_formula_says() {
+    // One wide fin across the view, so that its middle is the picture's.
+    let mut coat = square();
+    let direction = Vec3::new(0.1, 1.0, 0.2).normalize();
+    let normal = Vec3::new(0.0, 0.8, 0.6);
+    coat.patches = PatchMesh::default();
+    coat.surface = Surface {
+        positions: vec![Vec3::new(-0.5, -0.3, 0.0), Vec3::new(0.5, -0.3, 0.0)],
+        normals: vec![normal; 2],
+        offsets: vec![0.6 * Vec3::Y; 2],
+        directions: vec![direction; 2],
+        colours: vec![ALBEDO; 2],
+    };
+    coat.edges =
+        FinEdges { vertices: vec![[0, 1]], intervals: vec![[0.0, 1.0]], face_normals: vec![[Vec3::Z, Vec3::Y]], curvatures: vec![1.0] };
+    // Fins hang on shells' faces; this one has a bare face's vertices for company.
+    coat.patches.vertices = vec![0, 1, 1];
+    coat.patches.coordinates = vec![glam::Vec2::ZERO; 3];
+    coat.patches.faces = vec![[0, 1, 2]];
+    coat.patches.patch_ends = vec![1];
+    for toward_light in LIGHTS {
+        let mut view = front(LightingMode::Formula, light(toward_light), Options { surface: false, shells: false, ..Options::default() });
+        view.camera.eye = 3.0 * Vec3::Z;
+        let seen = picture(&coat, &view);
+        assert_eq!(seen.frame.fins_drawn, 1);
+        let hair = HairPoint { direction: direction.as_dvec3(), normal: normal.as_dvec3(), height: 0.5 };
+        // The highlight is interpolated from the fin's corners.
+        let corner = |x: f64, y: f64| {
+            let toward = (DVec3::new(0.0, 0.0, 3.0) - DVec3::new(x, y, 0.0)).normalize();
+            view.shading.shade(&illumination(&view.light), toward, &hair)
+        };
+        let expected = 0.25 * (corner(-0.5, -0.3) + corner(0.5, -0.3) + corner(-0.5, 0.3) + corner(0.5, 0.3));
+        near(middle(&seen), expected, &format!("fin, light {toward_light}"));
+    }
+}
+
+#[test]
+fn fins_are_faded_and_left_out_as_the_processor_says() {
+    const COLUMNS: u32 = 8;
+    const ROWS: u32 = 6;
+    // A fin of random pose in each cell of a grid, of 12 pixels a side, seen from very far.
+    let cell = SIZE.0 / COLUMNS;
+    let mut coat = square();
+    coat.shells = flat_hair(2, Vec3::ONE).shells;
+    coat.surface = Surface::default();
+    coat.edges = FinEdges::default();
+    let mut dice = Dice::new(5);
+    let mut unit = || (2.0 * Vec3::new(dice.roll(), dice.roll(), dice.roll()) - 1.0).normalize();
+    for i in 0..COLUMNS * ROWS {
+        let centre = Vec3::new((i % COLUMNS) as f32 + 0.5 - 4.0, 3.0 - (i / COLUMNS) as f32 - 0.5, 0.0) * 0.1;
+        let (along, offset) = (unit() * 0.06, unit() * 0.06);
+        for end in [-0.5, 0.5] {
+            coat.surface.positions.push(centre - 0.5 * offset + end * along);
+            coat.surface.normals.push(Vec3::Z);
+            coat.surface.offsets.push(offset);
+            coat.surface.directions.push(Vec3::Z);
+            coat.surface.colours.push(Vec3::ONE);
+        }
+        coat.edges.vertices.push([2 * i, 2 * i + 1]);
+        coat.edges.intervals.push([0.0, 0.5]);
+        coat.edges.face_normals.push([unit(), unit()]);
+        coat.edges.curvatures.push(if i % 2 == 0 { 5.0 } else { 0.5 });
+    }
+    coat.patches =
+        PatchMesh { vertices: vec![0, 1, 2], coordinates: vec![glam::Vec2::ZERO; 3], faces: vec![[0, 1, 2]], patch_ends: vec![1] };
+    let distance = 100.0;
+    let field_of_view = 2.0 * (0.3_f32 / distance).atan();
+    let camera = Camera { eye: distance * Vec3::Z, target: Vec3::ZERO, up: Vec3::Y, field_of_view, near: 1.0 };
+    let options = Options { surface: false, shells: false, ..Options::default() };
+    let seen = picture(&coat, &View { camera, light: light(Vec3::Z), shading: shading(), options });
+    let (mut drawn, mut left_out) = (0, 0);
+    for (i, edge) in fin_edges(&coat).iter().enumerate() {
+        let (column, row) = (i as u32 % COLUMNS, i as u32 / COLUMNS);
+        let pixels = (0..cell * cell).map(|p| (row * cell + p / cell) * SIZE.0 + column * cell + p % cell);
+        let most = pixels.map(|p| seen.coverage[p as usize]).max().unwrap_or(0);
+        let opacity = fin_opacity(edge, Vec3::Z, 1.0);
+        assert!((f32::from(most) - 255.0 * opacity).abs() <= 2.0, "fin {i}: {most} of 255 seen, opacity {opacity}");
+        (drawn, left_out) = if opacity > 0.0 { (drawn + 1, left_out) } else { (drawn, left_out + 1) };
+    }
+    assert!(drawn > 8 && left_out > 8, "{drawn} {left_out}");
+    assert_eq!(seen.frame.fins_drawn, drawn);
+}
