@@ -27,7 +27,7 @@ impl Illumination {
 /// A place on a hair.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct HairPoint {
-    /// *T*, the unit direction of the hair; its sign is without effect.
+    /// *T*, the unit direction of the hair, or the mean of several, at most 1 long; its sign is without effect.
     pub direction: DVec3,
     /// *N*, the unit normal of the skin beneath.
     pub normal: DVec3,

@@ -22,7 +22,7 @@ pub struct GrowPatches {
     #[param(default = 0.08, range = 0.001..=10.0, unit = "model diameters", effect = "smaller: finer hair, more repeats of the tile")]
     pub tile_size: f64,
     /// How far a patch reaches at most; past 1 the tile repeats within it.
-    #[param(default = 1.0, range = 0.05..=100.0, unit = "tile sides", effect = "larger: fewer seams, until stretch and turning end the growth")]
+    #[param(default = 0.9, range = 0.05..=100.0, unit = "tile sides", effect = "larger: fewer seams, until stretch and turning end the growth")]
     pub patch_extent: f64,
     /// How much following the field counts against even density.
     #[param(default = 0.5, range = 0.0..=1000000.0, unit = "weight", effect = "larger: truer directions; hair thins and crowds where the field spreads and bends")]

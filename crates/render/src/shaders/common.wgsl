@@ -38,12 +38,21 @@ struct Vertex {
     colour: vec3f,
 };
 
-// A unit vector from two signed 16-bit octahedral coordinates.
-fn unpack_direction(packed: u32) -> vec3f {
-    let e = unpack2x16snorm(packed);
+// A unit vector from a place on the unfolded octahedron.
+fn folded(e: vec2f) -> vec3f {
     let z = 1.0 - abs(e.x) - abs(e.y);
     let fold = max(-z, 0.0);
     return normalize(vec3f(e - select(vec2f(-fold), vec2f(fold), e >= vec2f(0.0)), z));
+}
+
+fn unpack_direction(packed: u32) -> vec3f {
+    return folded(unpack2x16snorm(packed));
+}
+
+// A mean of directions, its length in the top byte.
+fn unpack_mean_direction(packed: u32) -> vec3f {
+    let e = vec2f(f32(bitcast<i32>(packed << 20u) >> 20u), f32(bitcast<i32>(packed << 8u) >> 20u)) / 2047.0;
+    return folded(max(e, vec2f(-1.0))) * (f32(packed >> 24u) / 255.0);
 }
 
 fn vertex_at(index: u32) -> Vertex {
@@ -54,7 +63,7 @@ fn vertex_at(index: u32) -> Vertex {
         bitcast<vec3f>(s.xyz),
         unpack_direction(s.w),
         bitcast<vec3f>(f.xyz) * frame.fur.x,
-        unpack_direction(f.w),
+        unpack_mean_direction(f.w),
         vec3f(unpack2x16float(c.x), unpack2x16float(c.y).x),
     );
 }

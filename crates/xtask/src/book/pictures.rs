@@ -19,8 +19,29 @@ struct Picture {
     size: &'static str,
 }
 
+const BUNNY: &str = "graphs/bunny.ron";
+const HALF: &str = "480x360";
+
 /// Every picture of the book, and of the README.
-const PICTURES: &[Picture] = &[Picture { file: "bunny.png", graph: "graphs/bunny.ron", set: &[], size: "960x720" }];
+const PICTURES: &[Picture] = &[
+    Picture { file: "bunny.png", graph: BUNNY, set: &[], size: "960x720" },
+    Picture { file: "surface.png", graph: BUNNY, set: &["picture.shells=false", "picture.fins=false"], size: HALF },
+    Picture { file: "fins.png", graph: BUNNY, set: &["picture.shells=false"], size: HALF },
+    Picture { file: "shells.png", graph: BUNNY, set: &["picture.fins=false"], size: HALF },
+    Picture { file: "eight-shells.png", graph: BUNNY, set: &["shells.layers=8"], size: HALF },
+    Picture { file: "upright.png", graph: BUNNY, set: &["coat.slant=0.0"], size: HALF },
+    Picture { file: "long.png", graph: BUNNY, set: &["coat.length=0.07"], size: HALF },
+    Picture { file: "close.png", graph: BUNNY, set: &["camera.margin=0.25"], size: HALF },
+    Picture { file: "far.png", graph: BUNNY, set: &["camera.margin=4.0"], size: HALF },
+    Picture { file: "no-facing.png", graph: BUNNY, set: &["shading.facing=0.0"], size: HALF },
+    Picture { file: "no-shadow.png", graph: BUNNY, set: &["shading.shadow=0.0"], size: HALF },
+    Picture { file: "sparse.png", graph: BUNNY, set: &["hair.count=150", "hair.undercoat=(count: 0)"], size: HALF },
+    Picture { file: "straight.png", graph: BUNNY, set: &["hair.style=Straight"], size: HALF },
+    Picture { file: "meadow.png", graph: "graphs/meadow.ron", set: &[], size: HALF },
+    Picture { file: "ring.png", graph: "graphs/ring.ron", set: &[], size: HALF },
+    Picture { file: "ball.png", graph: "graphs/ball.ron", set: &[], size: HALF },
+    Picture { file: "die.png", graph: "graphs/die.ron", set: &[], size: HALF },
+];
 
 const FOLDER: &str = "book/src/pictures";
 

@@ -1,0 +1,187 @@
+//! The promises of the command line: exit codes, messages, figures, and nothing half-written.
+
+use std::path::{Path, PathBuf};
+use std::process::{Command, Output};
+
+use serde_json::Value;
+
+fn root() -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("../..")
+}
+
+fn pelage(arguments: &[&str]) -> Command {
+    let mut command = Command::new(env!("CARGO_BIN_EXE_pelage"));
+    command.args(arguments).current_dir(root());
+    command
+}
+
+/// Runs, and gives exit code, standard output and standard error.
+fn run(arguments: &[&str]) -> (i32, String, String) {
+    said(pelage(arguments).output().unwrap())
+}
+
+fn said(output: Output) -> (i32, String, String) {
+    let text = |bytes: &[u8]| String::from_utf8_lossy(bytes).into_owned();
+    (output.status.code().unwrap(), text(&output.stdout), text(&output.stderr))
+}
+
+/// A ball with little hair, drawn small: quick.
+const BALL: &str = r#"Graph(version: 1, output: "picture.image", nodes: {
+    "ball": Sphere(subdivisions: 2),
+    "patches": GrowPatches(mesh: "ball.mesh", tile_size: 0.3),
+    "hair": GrowStrands(count: 60, undercoat: (count: 60), steps: 8),
+    "shells": SampleShells(strands: "hair.strands", layers: 6, resolution: 32),
+    "fin": SampleFin(strands: "hair.strands", size: (64, 16)),
+    "coat": LayFur(mesh: "ball.mesh", patches: "patches.patches", strands: "hair.strands", shells: "shells.shells", fin: "fin.fin", length: 0.06),
+    "unasked": Torus(),
+    "camera": Camera(), "light": Light(), "shading": HairLighting(),
+    "picture": RenderImage(fur: "coat.fur", camera: "camera.camera", light: "light.light", shading: "shading.shading", size: (48, 40)),
+})"#;
+
+/// A folder with `ball.ron`.
+fn folder() -> (tempfile::TempDir, String, String) {
+    let folder = tempfile::tempdir().unwrap();
+    let graph = folder.path().join("ball.ron");
+    std::fs::write(&graph, BALL).unwrap();
+    let out = folder.path().join("out.png");
+    let text = |path: PathBuf| path.to_str().unwrap().to_owned();
+    (folder, text(graph), text(out))
+}
+
+#[test]
+fn render_writes_the_picture_and_the_figures_that_were_promised() {
+    let (folder, graph, out) = folder();
+    let stats = folder.path().join("stats.json");
+    let (code, _, error) = run(&["render", &graph, "-o", &out, "--size", "64x48", "--repeat", "2", "--stats", stats.to_str().unwrap()]);
+    assert_eq!(code, 0, "{error}");
+    let picture = image::open(&out).unwrap();
+    assert_eq!((picture.width(), picture.height()), (64, 48));
+    let stats: Value = serde_json::from_slice(&std::fs::read(stats).unwrap()).unwrap();
+    for key in [
+        "/pelage", "/graph", "/adapter/name", "/adapter/backend", "/adapter/software", "/nodes/hair/kind", "/nodes/hair/ms", "/model/vertices", "/model/genus",
+        "/patches/count", "/patches/faces_per_patch_p50", "/patches/stretch_p50", "/patches/stretch_p99", "/patches/seam_length", "/patches/discs",
+        "/patches/tile_repeats_p50", "/textures/shell_bytes", "/textures/fin_bytes", "/textures/total_bytes", "/textures/layers", "/frame/shells_drawn",
+        "/frame/fins_drawn", "/frame/triangles", "/frame/ms_median", "/frame/frames", "/image_hash",
+    ] {
+        assert!(stats.pointer(key).is_some_and(|value| !value.is_null()), "{key} is missing in {stats:#}");
+    }
+    assert_eq!(stats.pointer("/model/faces"), Some(&Value::from(320)));
+    assert_eq!(stats.pointer("/patches/faces_covered"), Some(&Value::from(320)));
+    assert_eq!(stats.pointer("/patches/faces_flipped"), Some(&Value::from(0)));
+    assert_eq!(stats.pointer("/nodes/unasked/state"), Some(&Value::from("not needed")));
+    assert_eq!(stats.pointer("/nodes/hair/state"), Some(&Value::from("computed")));
+}
+
+#[test]
+fn any_number_of_threads_makes_the_same_picture() {
+    let (_folder, graph, out) = folder();
+    let picture = |threads: &str| {
+        assert_eq!(run(&["render", &graph, "-o", &out, "--threads", threads]).0, 0);
+        std::fs::read(&out).unwrap()
+    };
+    let one = picture("1");
+    assert!(one == picture("2") && one == picture("8"));
+}
+
+#[test]
+fn a_failure_leaves_what_was_there() {
+    let (folder, graph, out) = folder();
+    std::fs::write(&out, "as before").unwrap();
+    let (code, _, error) = run(&["render", &graph, "-o", &out, "--set", "shells.resolution=100"]);
+    assert_eq!(code, 1);
+    assert!(error.contains("shells") && error.contains("power of two"), "{error}");
+    assert_eq!(std::fs::read_to_string(&out).unwrap(), "as before");
+    assert_eq!(std::fs::read_dir(folder.path()).unwrap().count(), 2, "something was left behind");
+}
+
+#[test]
+fn check_answers_with_every_fault_and_where() {
+    let folder = tempfile::tempdir().unwrap();
+    let graph = folder.path().join("wrong.ron");
+    std::fs::write(&graph, "Graph(version: 1, nodes: {\n  \"ball\": Sphere(subdivision: 2),\n  \"tiles\": GrowPatches(mesh: \"bal.mesh\", tile_size: 99.0),\n})").unwrap();
+    let (code, _, error) = run(&["check", graph.to_str().unwrap()]);
+    assert_eq!(code, 1);
+    for expected in ["wrong.ron:2:", "subdivision", "wrong.ron:3:", "bal", "tile_size", "99"] {
+        assert!(error.contains(expected), "no {expected:?} in: {error}");
+    }
+}
+
+#[test]
+fn every_saved_graph_is_valid() {
+    let graphs: Vec<PathBuf> = std::fs::read_dir(root().join("graphs")).unwrap().map(|entry| entry.unwrap().path()).collect();
+    let graphs: Vec<&str> = graphs.iter().filter_map(|path| path.to_str()).filter(|path| path.ends_with(".ron")).collect();
+    assert!(graphs.len() >= 5);
+    let (code, _, error) = run(&[&["check"], &graphs[..]].concat());
+    assert_eq!(code, 0, "{error}");
+}
+
+#[test]
+fn overrides_say_what_is_wrong_with_them() {
+    let (_folder, graph, out) = folder();
+    for (set, code, expected) in [
+        ("nonsense", 2, "NODE.INPUT=VALUE"),
+        ("bal.subdivisions=2", 1, "ball"),
+        ("ball.subdivision=2", 1, "subdivisions"),
+        ("ball.subdivisions=99", 1, "9"),
+        ("hair.style=Curlly(radius: 0.1)", 1, "Curly"),
+    ] {
+        let (actual, _, error) = run(&["render", &graph, "-o", &out, "--set", set]);
+        assert_eq!(actual, code, "{set}: {error}");
+        assert!(error.contains(expected), "{set}: no {expected:?} in: {error}");
+        assert!(!Path::new(&out).exists());
+    }
+}
+
+#[test]
+fn a_path_given_here_is_relative_to_here() {
+    let (_folder, _, out) = folder();
+    let small = ["--set", "picture.size=(32, 24)", "--set", "shells.layers=2", "--set", "shells.resolution=16"];
+    let mut command = pelage(&[&["render", "../bunny.ron", "-o", &out, "--set", "bunny.path=bunny.obj"], &small[..]].concat());
+    let (code, _, error) = said(command.current_dir(root().join("graphs/models")).output().unwrap());
+    assert_eq!(code, 0, "{error}");
+    let (code, _, error) = run(&["render", "graphs/bunny.ron", "-o", &out, "--set", "bunny.path=no-such.obj"]);
+    assert_eq!(code, 1);
+    assert!(error.contains("no-such.obj") && error.contains("bunny"), "{error}");
+}
+
+#[test]
+fn wrong_usage_is_2() {
+    for arguments in [&["render"][..], &["paint"], &["render", "x.ron", "-o", "y.png", "--size", "big"], &[]] {
+        assert_eq!(run(arguments).0, 2, "{arguments:?}");
+    }
+}
+
+#[test]
+fn no_adapter_is_3_and_says_what_to_install() {
+    let (_folder, graph, out) = folder();
+    let mut command = pelage(&["render", &graph, "-o", &out]);
+    command.env("VK_DRIVER_FILES", "none").env("VK_ICD_FILENAMES", "none").env("WGPU_BACKEND", "vulkan");
+    let (code, _, error) = said(command.output().unwrap());
+    assert_eq!(code, 3, "{error}");
+    assert!(error.contains("mesa-vulkan-drivers"), "{error}");
+}
+
+#[test]
+fn inspect_counts() {
+    let (code, out, error) = run(&["inspect", "graphs/models/bunny.obj", "--json"]);
+    assert_eq!(code, 0, "{error}");
+    let counts: Value = serde_json::from_str(&out).unwrap();
+    for (key, count) in [("vertices", 1839), ("faces", 3674), ("edges", 5511), ("boundary_loops", 0), ("components", 1), ("genus", 0)] {
+        assert_eq!(counts[key], Value::from(count), "{key}");
+    }
+    assert!(run(&["inspect", "graphs/models/bunny.obj"]).1.contains("3674"));
+    let (code, _, error) = run(&["inspect", "Cargo.toml"]);
+    assert_eq!(code, 1);
+    assert!(error.contains("Cargo.toml"), "{error}");
+}
+
+#[test]
+fn the_node_reference_is_whole() {
+    let (_, out, _) = run(&["nodes", "--json"]);
+    let nodes: Value = serde_json::from_str(&out).unwrap();
+    assert!(nodes.as_array().is_some_and(|nodes| nodes.len() >= 18));
+    let (code, out, _) = run(&["nodes", "GrowPatches"]);
+    assert_eq!(code, 0);
+    assert!(out.contains("tile_size") && out.contains("model diameters"));
+    assert_eq!(run(&["nodes", "GrowPatch"]).0, 1);
+}
