@@ -1,6 +1,6 @@
 //! A saved graph, evaluated up to its coat and drawn from there.
 
-use std::path::{Path, PathBuf};
+use std::path::Path;
 use std::sync::{Arc, OnceLock};
 
 use pelage_coat::{Background, Coat, Light};

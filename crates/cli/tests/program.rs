@@ -27,7 +27,7 @@ fn said(output: Output) -> (i32, String, String) {
 
 /// A ball with little hair, drawn small: quick.
 const BALL: &str = r#"Graph(version: 1, output: "picture.image", nodes: {
-    "ball": Sphere(subdivisions: 2),
+    "ball": Sphere(subdivisions: 4),
     "patches": GrowPatches(mesh: "ball.mesh", tile_size: 0.3),
     "hair": GrowStrands(count: 60, undercoat: (count: 60), steps: 8),
     "shells": SampleShells(strands: "hair.strands", layers: 6, resolution: 32),
@@ -58,10 +58,32 @@ fn render_writes_the_picture_and_the_figures_that_were_promised() {
     assert_eq!((picture.width(), picture.height()), (64, 48));
     let stats: Value = serde_json::from_slice(&std::fs::read(stats).unwrap()).unwrap();
     for key in [
-        "/pelage", "/graph", "/adapter/name", "/adapter/backend", "/adapter/software", "/nodes/hair/kind", "/nodes/hair/ms", "/model/vertices", "/model/genus",
-        "/patches/count", "/patches/faces_per_patch_p50", "/patches/stretch_p50", "/patches/stretch_p99", "/patches/seam_length", "/patches/discs",
-        "/patches/tile_repeats_p50", "/textures/shell_bytes", "/textures/fin_bytes", "/textures/total_bytes", "/textures/layers", "/frame/shells_drawn",
-        "/frame/fins_drawn", "/frame/triangles", "/frame/ms_median", "/frame/frames", "/image_hash",
+        "/pelage",
+        "/graph",
+        "/adapter/name",
+        "/adapter/backend",
+        "/adapter/software",
+        "/nodes/hair/kind",
+        "/nodes/hair/ms",
+        "/model/vertices",
+        "/model/genus",
+        "/patches/count",
+        "/patches/faces_per_patch_p50",
+        "/patches/stretch_p50",
+        "/patches/stretch_p99",
+        "/patches/seam_length",
+        "/patches/discs",
+        "/patches/tile_repeats_p50",
+        "/textures/shell_bytes",
+        "/textures/fin_bytes",
+        "/textures/total_bytes",
+        "/textures/layers",
+        "/frame/shells_drawn",
+        "/frame/fins_drawn",
+        "/frame/triangles",
+        "/frame/ms_median",
+        "/frame/frames",
+        "/image_hash",
     ] {
         assert!(stats.pointer(key).is_some_and(|value| !value.is_null()), "{key} is missing in {stats:#}");
     }
@@ -122,7 +144,7 @@ fn overrides_say_what_is_wrong_with_them() {
         ("nonsense", 2, "NODE.INPUT=VALUE"),
         ("bal.subdivisions=2", 1, "ball"),
         ("ball.subdivision=2", 1, "subdivisions"),
-        ("ball.subdivisions=99", 1, "9"),
+        ("ball.subdivisions=999", 1, "600"),
         ("hair.style=Curlly(radius: 0.1)", 1, "Curly"),
     ] {
         let (actual, _, error) = run(&["render", &graph, "-o", &out, "--set", set]);

@@ -8,7 +8,7 @@
 //! let graph = Graph::parse(r#"Graph(
 //!     version: 1,
 //!     nodes: {
-//!         "ball":    Sphere(subdivisions: 3),
+//!         "ball":    Sphere(subdivisions: 8),
 //!         "patches": GrowPatches(mesh: "ball.mesh", tile_size: 0.2),
 //!     },
 //! )"#)?;

@@ -43,8 +43,8 @@ impl Evaluate for Plane {
 #[node(category = "Models", version = 1)]
 #[output(mesh: Mesh, "The surface.")]
 pub struct Sphere {
-    /// How often the triangles of an icosahedron are cut into four.
-    #[param(default = 4, range = 0..=9, unit = "times", effect = "20 × 4ⁿ triangles")]
+    /// Into how many parts each edge of an icosahedron is cut.
+    #[param(default = 16, range = 1..=600, unit = "parts", effect = "20 n² triangles")]
     pub subdivisions: u32,
 }
 

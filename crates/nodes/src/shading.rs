@@ -64,7 +64,7 @@ pub struct HairLightingNode {
     #[param(default = Colour([0.3, 0.29, 0.27]))]
     pub specular: Colour,
     /// Pd: how fast the diffuse part falls as the hair turns to the light.
-    #[param(default = 1.5, range = 0.0..=1000.0, unit = "exponent", effect = "larger: darker where hair points at the light")]
+    #[param(default = 0.6, range = 0.0..=1000.0, unit = "exponent", effect = "larger: darker where hair points at the light")]
     pub diffuse_power: f64,
     /// Ps: how sharp the highlight is.
     #[param(default = 24.0, range = 0.0..=10000.0, unit = "exponent", effect = "larger: a narrower highlight")]
