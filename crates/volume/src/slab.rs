@@ -3,7 +3,7 @@
 use pelage_strand::Strand;
 use std::f64::consts::{PI, TAU};
 
-use crate::footprint::Piece;
+use crate::footprint::{Kind, Piece};
 use crate::gauss::{bell, integral};
 
 /// Beyond this many vertical σ a layer does not feel the hair: exp(−4.5) is 1 % of an 8-bit step short of nothing at mean weight.
@@ -61,7 +61,11 @@ impl Slab {
             let run = self.run(strand, index);
             let Some(run) = run.clipped() else { continue };
             for part in run.split(0.0).into_iter().flatten() {
-                let outwards = if nearest.crossings <= 1 { if part.middle_along() < nearest.along { -1.0 } else { 1.0 } } else { 0.0 };
+                let outwards = if nearest.crossings <= 1 {
+                    Kind::Beside(if part.middle_along() < nearest.along { -1.0 } else { 1.0 })
+                } else {
+                    Kind::Strip
+                };
                 self.strips(&part, outwards, cut);
             }
         }
@@ -82,14 +86,14 @@ impl Slab {
     }
 
     /// The strip of one run, cut so that the weight changes little within the filter's width.
-    fn strips(&self, run: &Run, outwards: f32, cut: &mut Cut) {
+    fn strips(&self, run: &Run, outwards: Kind, cut: &mut Cut) {
         let length = run.length();
         if length < 1e-6 {
             return;
         }
         let along = [run.step[0] / length, run.step[1] / length].map(|c| c as f32);
         let rise = run.heights[1] - run.heights[0];
-        let count = (rise.abs() / 0.5).min(length / (0.7 * self.lateral)).ceil().clamp(1.0, 256.0);
+        let count = (rise.abs() / 0.1).min(length / (0.7 * self.lateral)).ceil().clamp(1.0, 256.0);
         for part in 0..count as u32 {
             let [t0, t1] = [f64::from(part) / count, f64::from(part + 1) / count];
             let weight = mean_bell(run.heights[0] + rise * t0, run.heights[0] + rise * t1);
@@ -102,8 +106,7 @@ impl Slab {
                 length: piece_length as f32,
                 radius: radius as f32,
                 weight: weight as f32,
-                start_shift: outwards,
-                end_shift: outwards,
+                kind: outwards,
             });
         }
     }
@@ -134,9 +137,14 @@ impl Slab {
             length: 0.0,
             radius: radius as f32,
             weight: weight as f32,
-            start_shift: -1.0,
-            end_shift: 1.0,
+            kind: Kind::Section(self.alone(run) as f32),
         });
+    }
+
+    /// How much of a section stands alone: what of the hair's run beside it fades within the filter's width.
+    fn alone(&self, run: &Run) -> f64 {
+        let fade = run.length() / (run.heights[1] - run.heights[0]).abs().max(1e-9);
+        1.0 - bell(self.lateral / fade.max(1e-9))
     }
 
     /// Where the strand comes nearest to the layer; `None` if the slab does not feel it.
