@@ -18,7 +18,7 @@ fn settings(resolution: u32, layers: u32) -> ShellSettings {
 }
 
 /// The counter is strands: 16 layers of all of them.
-#[divan::bench(args = [32, 64, 128, 256, 512])]
+#[divan::bench(args = [32, 64, 128, 256, 512], sample_count = 5, sample_size = 1)]
 fn strands_by_resolution(bencher: Bencher<'_, '_>, resolution: u32) {
     let tile = coat();
     let settings = settings(resolution, 16);
@@ -26,7 +26,7 @@ fn strands_by_resolution(bencher: Bencher<'_, '_>, resolution: u32) {
 }
 
 /// The counter is (piece, texel) pairs at 128² in 16 layers, mips and encoding included.
-#[divan::bench(args = [8, 16, 32, 64])]
+#[divan::bench(args = [8, 16, 32, 64], sample_count = 5, sample_size = 1)]
 fn pairs_by_layers(bencher: Bencher<'_, '_>, layers: u32) {
     let tile = coat();
     let settings = settings(128, layers);
@@ -35,7 +35,7 @@ fn pairs_by_layers(bencher: Bencher<'_, '_>, layers: u32) {
 }
 
 /// The same on one thread: what a pair costs.
-#[divan::bench]
+#[divan::bench(sample_count = 5, sample_size = 1)]
 fn pairs_on_one_thread(bencher: Bencher<'_, '_>) {
     let tile = coat();
     let settings = settings(128, 16);
@@ -44,7 +44,7 @@ fn pairs_on_one_thread(bencher: Bencher<'_, '_>) {
     bencher.counter(ItemsCount::new(pairs)).bench(|| pool.install(|| sample_shells(&tile, divan::black_box(&settings))));
 }
 
-#[divan::bench]
+#[divan::bench(sample_count = 5, sample_size = 1)]
 fn fin(bencher: Bencher<'_, '_>) {
     let tile = coat();
     bencher.bench(|| sample_fin(&tile, divan::black_box(&FinSettings::default())));

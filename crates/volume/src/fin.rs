@@ -181,8 +181,7 @@ impl<'a> SideView<'a> {
                 along: step.map(|c| (c / length) as f32),
                 length: length as f32,
                 radius: radius as f32,
-                weight: 1.0,
-                kind: Kind::Strip,
+                kind: Kind::Strip { height: 0.0, rise: 0.0, beside: 0.0 },
             });
         }
         (pieces, mass)

@@ -5,9 +5,9 @@ use std::f64::consts::TAU;
 use std::ops::Range;
 use std::sync::LazyLock;
 
-use crate::gauss::{IntegralTable, bell, integral};
+use crate::gauss::{Tables, bell, integral};
 
-/// A straight run of hair in texels: a strip that covers `weight` of its area.
+/// A straight run of hair, in texels.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Piece {
     pub(crate) from: [f32; 2],
@@ -16,20 +16,18 @@ pub(crate) struct Piece {
     pub(crate) length: f32,
     /// Half the strip's width.
     pub(crate) radius: f32,
-    /// 0 to 1.
-    pub(crate) weight: f32,
     pub(crate) kind: Kind,
 }
 
 /// What a piece stands for.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum Kind {
-    /// A strip with straight ends.
-    Strip,
-    /// A strip that begins where the hair's round section ends: moved along by this sign times half its chord.
-    Beside(f32),
-    /// The round section itself, at `from`: this much of it as a disc on its own, the rest as a strip that runs on without a seam into those beside it.
-    Section(f32),
+    /// A strip that covers exp(−h²/2) of itself, where h = `height` + `rise` × way along. It begins where the hair's round section ends: moved along by
+    /// `beside` (−1, 0 or 1) times half the section's chord.
+    Strip { height: f32, rise: f32, beside: f32 },
+    /// The round section itself, at `from`, covering `weight` of itself: `alone` of it as a disc, the rest as a strip that runs on without a seam into
+    /// those beside it.
+    Section { weight: f32, alone: f32 },
 }
 
 /// Coverage of one hair, texel by texel, before it is merged into a layer.
@@ -37,7 +35,7 @@ pub(crate) enum Kind {
 /// Texel (i, j) is sampled at its centre with a Gaussian of deviation `sigma`, integrated over the strip in closed form: erf across times
 /// erf along. The window is unwrapped; whoever merges it wraps.
 pub(crate) struct Footprint {
-    table: IntegralTable,
+    tables: Tables,
     sigma: f32,
     origin: [i32; 2],
     size: [usize; 2],
@@ -48,13 +46,13 @@ pub(crate) struct Footprint {
 
 impl Footprint {
     pub(crate) fn new(sigma: f32) -> Self {
-        Self { table: IntegralTable::new(), sigma, origin: [0, 0], size: [0, 0], values: Vec::new(), pairs: 0 }
+        Self { tables: Tables::new(), sigma, origin: [0, 0], size: [0, 0], values: Vec::new(), pairs: 0 }
     }
 
     /// How far a piece's influence reaches beyond its axis.
     pub(crate) fn margin(&self, radius: f32) -> f32 {
-        // Beyond 3 σ lie 0.3 % of a strip's edge, which the mass correction puts back.
-        radius + 3.0 * self.sigma
+        // Beyond 2.75 σ lies 0.3 % of an edge, which the mass correction puts back.
+        radius + 2.75 * self.sigma
     }
 
     /// Opens an empty window over the box that encloses all pieces, margins included.
@@ -79,7 +77,11 @@ impl Footprint {
     }
 
     fn bounds(&self, piece: &Piece) -> ([f32; 2], [f32; 2]) {
-        let margin = self.margin(piece.radius) + if matches!(piece.kind, Kind::Beside(_)) { piece.radius } else { 0.0 };
+        let margin = self.margin(piece.radius)
+            + match piece.kind {
+                Kind::Strip { beside, .. } => piece.radius * beside.abs(),
+                Kind::Section { .. } => 0.0,
+            };
         let to = [piece.from[0] + piece.along[0] * piece.length, piece.from[1] + piece.along[1] * piece.length];
         let low = [0, 1].map(|axis| piece.from[axis].min(to[axis]) - margin);
         let high = [0, 1].map(|axis| piece.from[axis].max(to[axis]) + margin);
@@ -100,37 +102,35 @@ impl Footprint {
         }
         self.pairs += (columns.len() * rows.len()) as u64;
         match piece.kind {
-            Kind::Strip => self.add_strip(piece, columns, rows, |_| 0.0),
-            Kind::Beside(sign) => {
-                let chord = HalfChord::new(piece.radius, self.sigma);
-                self.add_strip(piece, columns, rows, |v| sign * chord.at(v));
-            }
-            Kind::Section(alone) => self.add_section(piece, columns, rows, alone),
+            Kind::Strip { height, rise, beside } => self.add_strip(piece, columns, rows, &Along::new(height, rise, self.sigma), beside),
+            Kind::Section { weight, alone } => self.add_section(piece, columns, rows, weight, alone),
         }
     }
 
-    /// erf across times erf along; `shift` moves the strip along by what the place across asks for.
-    fn add_strip(&mut self, piece: &Piece, columns: Range<usize>, rows: Range<usize>, shift: impl Fn(f32) -> f32) {
+    /// The filter's integral across times that along.
+    fn add_strip(&mut self, piece: &Piece, columns: Range<usize>, rows: Range<usize>, along: &Along, beside: f32) {
         let inverse = 1.0 / self.sigma;
-        let table = self.table;
+        let tables = self.tables;
+        let chord = HalfChord::new(piece.radius, self.sigma);
         for row in rows {
             let y = (self.origin[1] + row as i32) as f32 + 0.5 - piece.from[1];
             let line = &mut self.values[row * self.size[0]..][columns.clone()];
             for (column, value) in columns.clone().zip(line) {
                 let x = (self.origin[0] + column as i32) as f32 + 0.5 - piece.from[0];
                 let v = y * piece.along[0] - x * piece.along[1];
-                let u = x * piece.along[0] + y * piece.along[1] - shift(v);
-                let across = table.at((v + piece.radius) * inverse) - table.at((v - piece.radius) * inverse);
-                *value += piece.weight * across * (table.at(u * inverse) - table.at((u - piece.length) * inverse));
+                let across = tables.integral((v + piece.radius) * inverse) - tables.integral((v - piece.radius) * inverse);
+                let shift = if beside == 0.0 { 0.0 } else { beside * chord.at(v) };
+                let u = x * piece.along[0] + y * piece.along[1] - shift;
+                *value += across * along.at(tables, u, piece.length);
             }
         }
     }
 
     /// A disc under the Gaussian. On its own it goes by distance: the edge is taken for straight, the radius for that which keeps the area. Where slanted
     /// hair runs on beside it, it is a strip as long as the chord.
-    fn add_section(&mut self, piece: &Piece, columns: Range<usize>, rows: Range<usize>, alone: f32) {
+    fn add_section(&mut self, piece: &Piece, columns: Range<usize>, rows: Range<usize>, weight: f32, alone: f32) {
         let inverse = 1.0 / self.sigma;
-        let table = self.table;
+        let tables = self.tables;
         let radius = seen_radius(piece.radius, self.sigma);
         let chord = HalfChord::new(piece.radius, self.sigma);
         for row in rows {
@@ -139,13 +139,13 @@ impl Footprint {
             for (column, value) in columns.clone().zip(line) {
                 let x = (self.origin[0] + column as i32) as f32 + 0.5 - piece.from[0];
                 let distance = (x * x + y * y).sqrt();
-                let disc = table.at((radius - distance) * inverse) - table.at((-radius - distance) * inverse);
+                let disc = tables.integral((radius - distance) * inverse) - tables.integral((-radius - distance) * inverse);
                 let v = y * piece.along[0] - x * piece.along[1];
                 let u = x * piece.along[0] + y * piece.along[1];
-                let across = table.at((v + piece.radius) * inverse) - table.at((v - piece.radius) * inverse);
+                let across = tables.integral((v + piece.radius) * inverse) - tables.integral((v - piece.radius) * inverse);
                 let half = chord.at(v);
-                let strip = across * (table.at((u + half) * inverse) - table.at((u - half) * inverse));
-                *value += piece.weight * (strip + (disc - strip) * alone);
+                let strip = across * (tables.integral((u + half) * inverse) - tables.integral((u - half) * inverse));
+                *value += weight * (strip + (disc - strip) * alone);
             }
         }
     }
@@ -162,6 +162,36 @@ impl Footprint {
                 }
             }
         }
+    }
+}
+
+/// ∫ exp(−(h + g t)²/2) G_σ(u − t) dt from 0 to a length: the tall Gaussian along a straight hair under the lateral one, in closed form.
+///
+/// The product of the two is a Gaussian in t of deviation q, 1/q² = g² + 1/σ², about m = q²(u/σ² − g h), of height bell((h + g u)/√(1 + g²σ²)) q/σ.
+struct Along {
+    height: f32,
+    rise: f32,
+    /// 1/√(1 + g²σ²) = q/σ.
+    narrowing: f32,
+    /// 1/q.
+    sharpness: f32,
+    /// m = near·u − offset.
+    near: f32,
+    offset: f32,
+}
+
+impl Along {
+    fn new(height: f32, rise: f32, sigma: f32) -> Self {
+        let narrowing = 1.0 / (1.0 + rise * rise * sigma * sigma).sqrt();
+        let near = narrowing * narrowing;
+        Self { height, rise, narrowing, sharpness: 1.0 / (narrowing * sigma), near, offset: near * sigma * sigma * rise * height }
+    }
+
+    #[inline]
+    fn at(&self, tables: Tables, u: f32, length: f32) -> f32 {
+        let middle = self.near * u - self.offset;
+        let between = tables.integral((length - middle) * self.sharpness) - tables.integral(-middle * self.sharpness);
+        between * self.narrowing * tables.bell((self.height + self.rise * u) * self.narrowing)
     }
 }
 
