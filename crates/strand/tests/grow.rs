@@ -1,5 +1,7 @@
 //! What grown hair promises.
 
+#![allow(clippy::unwrap_used, reason = "a test that cannot go on fails")]
+
 use pelage_strand::{GrowSettings, MAX_STRANDS, Root, StrandError, StrandSource, StrandTile, Style, TileNoise, Undercoat, grow, grow_at};
 use proptest::prelude::*;
 use std::f64::consts::TAU;

@@ -9,7 +9,7 @@ mod exact;
 
 use exact::ExactLayer;
 use pelage_strand::{GrowSettings, StrandTile, Undercoat, grow};
-use pelage_volume::{MipRule, ShellSettings, ShellStack, sample_shells};
+use pelage_volume::{MipRule, ShellSettings, ShellStack, sample_shells, srgb_to_linear};
 
 fn main() -> Result<(), Box<dyn std::error::Error>> {
     coverage_table()?;
@@ -60,7 +60,9 @@ fn layer_error(hair: &StrandTile, shells: &ShellStack, layer: u32, texels: usize
 fn mip_table() -> Result<(), Box<dyn std::error::Error>> {
     let bare = Undercoat { count: 0, ..Undercoat::default() };
     let upright = GrowSettings { lean: 0.0, splay: 4.0, gravity: 0.0, wander: 0.1, clump: 0.0, undercoat: bare, ..GrowSettings::default() };
-    println!("\nmips: picture along the normal against the averaged full picture (RMS in linear light), transmittance at 0°, 45°, 75°");
+    println!(
+        "\nmips: picture along the normal against the averaged full picture (RMS in linear light), transmittance at 0°, 45°, 75°, mean light with roots darkened"
+    );
     for (name, settings) in [("coat", GrowSettings::default()), ("open", GrowSettings { count: 400, ..upright }), ("upright", upright)] {
         let hair = grow(&settings)?;
         for mip_rule in [MipRule::Coverage, MipRule::Transmittance] {
@@ -68,14 +70,31 @@ fn mip_table() -> Result<(), Box<dyn std::error::Error>> {
             for level in 0..shells.mips.len() {
                 let through = [0.0, 1.0, 3.732].map(|slope| shells.transmittance(level, [slope, 0.0]).unwrap_or(f64::NAN));
                 let error = picture_error(&shells, level);
+                let light = [0.0, 1.0, 3.732].map(|slope| shaded_light(&shells, level, slope));
                 println!(
-                    "{name:>8} {mip_rule:?} level {level}: picture {error:.4}, transmittance {:.4} {:.4} {:.4}",
-                    through[0], through[1], through[2]
+                    "{name:>8} {mip_rule:?} level {level}: picture {error:.4}, transmittance {:.4} {:.4} {:.4}, light {:.4} {:.4} {:.4}",
+                    through[0], through[1], through[2], light[0], light[1], light[2]
                 );
             }
         }
     }
     Ok(())
+}
+
+/// Mean green light along a slope, layers lit from a quarter at the skin to one at the tips, as a self-shadow does: what tells distance from nearness.
+fn shaded_light(shells: &ShellStack, level: usize, slope: f64) -> f64 {
+    let mip = &shells.mips[level];
+    let mut light = vec![0.0f64; (mip.width * mip.height) as usize];
+    for layer in 0..shells.layers {
+        let up = f64::from(layer) / f64::from((shells.layers - 1).max(1));
+        let shift = (slope * shells.height * up * f64::from(mip.width)).round() as u32;
+        for (index, below) in (0u32..).zip(&mut light) {
+            let texel = mip.texel(layer, (index % mip.width + shift) % mip.width, index / mip.width).unwrap_or_default();
+            let own = f64::from(srgb_to_linear(texel[1])) * (0.25 + 0.75 * up);
+            *below = own + *below * (1.0 - f64::from(texel[3]) / 255.0);
+        }
+    }
+    light.iter().sum::<f64>() / light.len().max(1) as f64
 }
 
 fn picture_error(shells: &ShellStack, level: usize) -> f64 {

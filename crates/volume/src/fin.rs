@@ -207,8 +207,8 @@ impl Canvas {
         self.open[index] -= seen;
         let up = ((self.height as f32 - y as f32 - 0.5) / shade.rows).min(1.0);
         let texel = &mut self.plane.texels[index];
-        for channel in 0..3 {
-            texel[channel] += seen * (shade.root[channel] + (shade.tip[channel] - shade.root[channel]) * up);
+        for ((sum, root), tip) in texel.iter_mut().zip(shade.root).zip(shade.tip) {
+            *sum += seen * (root + (tip - root) * up);
         }
         texel[3] += seen;
     }

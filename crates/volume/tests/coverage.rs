@@ -1,5 +1,7 @@
 //! Sampled coverage against the definition, by many samples.
 
+#![allow(clippy::unwrap_used, reason = "a test that cannot go on fails")]
+
 #[path = "common/exact.rs"]
 mod exact;
 

@@ -1,5 +1,7 @@
 //! What a fin promises.
 
+#![allow(clippy::unwrap_used, reason = "a test that cannot go on fails")]
+
 use pelage_strand::{GrowSettings, StrandSource, StrandTile, grow};
 use pelage_volume::{FinAcross, FinSettings, FinTexture, VolumeError, sample_fin, srgb_to_linear};
 

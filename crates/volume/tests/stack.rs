@@ -1,5 +1,7 @@
 //! What a stack of shell layers promises.
 
+#![allow(clippy::unwrap_used, reason = "a test that cannot go on fails")]
+
 use pelage_strand::{GrowSettings, StrandSource, StrandTile, Style, Undercoat, grow};
 use pelage_volume::{MipRule, ShellSettings, ShellStack, VolumeError, sample_shells, srgb_to_linear};
 use proptest::prelude::*;
