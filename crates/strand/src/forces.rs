@@ -11,7 +11,7 @@ use crate::torus::{TorusGrid, shortest};
 use crate::traits::Traits;
 
 /// The smaller the number, the wider the shared wander: cells along a tile side.
-const SHARED_FREQUENCY: u32 = 4;
+const SHARED_FREQUENCY: u32 = 5;
 /// How fast a heading steers to its lock, per length grown.
 const LOCK_RATE: f64 = 12.0;
 

@@ -12,10 +12,13 @@ use crate::settings::{GrowSettings, Style};
 use crate::tile::{Root, StrandTile};
 use crate::traits::{Traits, draw};
 
-/// Growths at most until the tallest hair is as high as asked.
-const FITS: u32 = 5;
+/// Growths at most until the hair is as high as asked.
+const FITS: u32 = 6;
 /// How near to the asked height is near enough.
-const FIT_TOLERANCE: f64 = 2e-3;
+const FIT_TOLERANCE: f64 = 4e-3;
+/// This part of the guard hairs stays below the asked height of itself; the rest is trimmed to it, so that the coat's outermost layer holds the tips of
+/// many hairs and not of one.
+const UNTRIMMED: f64 = 0.85;
 
 /// Grows a tile of hair from blue-noise roots.
 ///
@@ -71,20 +74,36 @@ impl<'a> Growth<'a> {
         Self { settings, roots, traits }
     }
 
-    /// Forces bend hair down, so the length that reaches the asked height is found by growing again.
-    fn fitted(&self) -> StrandTile {
-        let lean = self.settings.lean.to_radians();
-        let mut length = self.settings.height / cos(lean);
+    /// Forces bend hair down, so the lengths that reach the asked height are found by growing again.
+    fn fitted(mut self) -> StrandTile {
+        let height = self.settings.height;
+        let mut length = height / cos(self.settings.lean.to_radians());
         let mut tile = self.run(length);
         for _ in 1..FITS {
-            let ratio = self.settings.height / tile.height.max(1e-12);
-            if (ratio - 1.0).abs() < FIT_TOLERANCE {
+            let tops = tops(&tile);
+            let usual = height / self.usual_top(&tops).max(1e-12);
+            let highest = tops.iter().fold(0.0, |a: f64, &b| a.max(b));
+            if (usual - 1.0).abs() < FIT_TOLERANCE && (highest / height - 1.0).abs() < FIT_TOLERANCE {
                 break;
             }
-            length *= ratio.clamp(0.25, 4.0);
+            length *= usual.clamp(0.25, 4.0);
+            for (traits, top) in self.traits.iter_mut().zip(&tops) {
+                traits.length *= (height / (top * usual).max(1e-12)).min(1.0);
+            }
             tile = self.run(length);
         }
         tile
+    }
+
+    /// The height that [`UNTRIMMED`] of the guard hairs stay below (of all hairs where there are no guards).
+    fn usual_top(&self, tops: &[f64]) -> f64 {
+        let guards = if self.settings.count > 0 { self.settings.count as usize } else { tops.len() };
+        let mut sorted: Vec<f64> = tops.iter().take(guards).copied().collect();
+        sorted.sort_by(f64::total_cmp);
+        let place = (sorted.len() as f64 * UNTRIMMED) as usize;
+        let top = sorted.get(place.min(sorted.len().saturating_sub(1))).copied().unwrap_or(self.settings.height);
+        // An undercoat alone is as short as it was asked to be.
+        if self.settings.count > 0 { top } else { top / self.settings.undercoat.length }
     }
 
     /// One simulation from roots to tips; `length` is that of the longest hair's guide.
@@ -149,6 +168,11 @@ impl<'a> Growth<'a> {
         let tip = self.settings.tip_thickness;
         tip + (1.0 - tip) * (1.0 - pow(along, self.settings.taper))
     }
+}
+
+/// The highest point of each strand.
+fn tops(tile: &StrandTile) -> Vec<f64> {
+    tile.strands().map(|strand| strand.points.iter().fold(0.0, |top: f64, p| top.max(f64::from(p[2])))).collect()
 }
 
 /// Where the hair is beside its guide at a time in [0, 1]; zero at the root.

@@ -5,7 +5,7 @@ use crate::tile::Root;
 use crate::torus::shortest;
 
 /// Darts that may fail one after another before the wanted distance shrinks.
-const PATIENCE: u32 = 24;
+const PATIENCE: u32 = 40;
 /// By what the distance shrinks.
 const SHRINK: f64 = 0.96;
 

@@ -1,6 +1,6 @@
 //! Randomness that depends on a seed and on a strand's number only.
 //!
-//! Every strand draws from a generator of its own, so that adding hairs leaves those that were there as they are.
+//! Every strand draws from a generator of its own, so that what a hair is like depends on no other hair.
 
 use rand::Rng;
 use rand_pcg::Pcg64Mcg;

@@ -106,27 +106,27 @@ impl Default for Undercoat {
 impl Default for GrowSettings {
     fn default() -> Self {
         Self {
-            count: 1100,
+            count: 1400,
             height: 0.35,
-            length_variation: 0.45,
-            thickness: 0.0105,
+            length_variation: 0.5,
+            thickness: 0.0095,
             tip_thickness: 0.15,
-            taper: 1.6,
+            taper: 2.0,
             style: Style::Wavy { amplitude: 0.008, waves: 1.2 },
             lean: 22.0,
-            splay: 9.0,
+            splay: 10.0,
             stiffness: 3.0,
             gravity: 0.5,
-            wander: 0.8,
+            wander: 0.4,
             separation: 0.6,
-            clump: 0.25,
-            clump_size: 0.12,
+            clump: 0.15,
+            clump_size: 0.1,
             root_colour: [0.16, 0.115, 0.08],
             tip_colour: [0.50, 0.41, 0.32],
             colour_variation: 0.3,
             undercoat: Undercoat::default(),
             steps: 24,
-            seed: 1,
+            seed: 25,
         }
     }
 }

@@ -86,7 +86,7 @@ mod tests {
                 let mut found = Vec::new();
                 grid.around(from, |i| {
                     if near(i) {
-                        found.push(i)
+                        found.push(i);
                     }
                 });
                 found.sort_unstable();

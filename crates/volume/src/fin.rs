@@ -4,7 +4,7 @@ use pelage_strand::{Strand, StrandTile};
 use rayon::prelude::*;
 
 use crate::error::{VolumeError, power_of_two, within};
-use crate::footprint::{Footprint, Piece};
+use crate::footprint::{Footprint, Kind, Piece};
 use crate::image::{FinTexture, Work};
 use crate::mips::image_mips;
 use crate::plane::Plane;
@@ -86,8 +86,8 @@ pub fn sample_fin(tile: &StrandTile, settings: &FinSettings) -> Result<FinTextur
         work.cuts += 1;
         footprint.open(pieces);
         pieces.iter().for_each(|piece| footprint.add(piece));
-        let colours = [hair.strand.root_colour, hair.strand.tip_colour];
-        footprint.close(*mass as f32, |x, y, covered| canvas.cover(x, y, covered, colours));
+        let shade = view.shade(hair);
+        footprint.close(*mass as f32, |x, y, covered| canvas.cover(x, y, covered, &shade));
     }
     work.pairs = footprint.pairs;
     Ok(FinTexture { tiles_across: settings.tiles_across, height, mips: image_mips(canvas.plane), work })
@@ -100,6 +100,14 @@ struct Hair<'a> {
     tile: u32,
     /// From the slab's front to the root, tile sides.
     depth: f64,
+}
+
+/// A hair's colour by row of the picture.
+struct Shade {
+    root: [f32; 3],
+    tip: [f32; 3],
+    /// Rows from the bottom for the way from root to tip.
+    rows: f32,
 }
 
 /// How the box of hair is looked at.
@@ -144,6 +152,12 @@ impl<'a> SideView<'a> {
         hairs
     }
 
+    /// Height stands for the way along the hair.
+    fn shade(&self, hair: &Hair<'_>) -> Shade {
+        let top = hair.strand.points.iter().fold(0.0f32, |top, p| top.max(p[2]));
+        Shade { root: hair.strand.root_colour, tip: hair.strand.tip_colour, rows: (f64::from(top) * self.scale[1]).max(1e-6) as f32 }
+    }
+
     /// The strips of a hair and their area, in texels, rows counted from the top.
     fn pieces(&self, hair: &Hair<'_>) -> (Vec<Piece>, f64) {
         let (across, _) = self.axes();
@@ -167,9 +181,7 @@ impl<'a> SideView<'a> {
                 along: step.map(|c| (c / length) as f32),
                 length: length as f32,
                 radius: radius as f32,
-                weight: 1.0,
-                start_shift: 0.0,
-                end_shift: 0.0,
+                kind: Kind::Strip { height: 0.0, rise: 0.0, beside: 0.0 },
             });
         }
         (pieces, mass)
@@ -186,18 +198,17 @@ struct Canvas {
 }
 
 impl Canvas {
-    fn cover(&mut self, x: i32, y: i32, covered: f32, colours: [[f32; 3]; 2]) {
+    fn cover(&mut self, x: i32, y: i32, covered: f32, shade: &Shade) {
         if y < 0 || y as usize >= self.height {
             return;
         }
         let index = y as usize * self.width + (x as usize & (self.width - 1));
         let seen = covered * self.open[index];
         self.open[index] -= seen;
-        // The box's height stands for the way along the hair.
-        let up = 1.0 - (y as f32 + 0.5) / self.height as f32;
+        let up = ((self.height as f32 - y as f32 - 0.5) / shade.rows).min(1.0);
         let texel = &mut self.plane.texels[index];
-        for channel in 0..3 {
-            texel[channel] += seen * (colours[0][channel] + (colours[1][channel] - colours[0][channel]) * up);
+        for ((sum, root), tip) in texel.iter_mut().zip(shade.root).zip(shade.tip) {
+            *sum += seen * (root + (tip - root) * up);
         }
         texel[3] += seen;
     }

@@ -1,4 +1,25 @@
-//! Strands sampled into shell layers and a fin texture.
+//! Strands sampled into what a graphics card draws: shell layers and a fin.
+//!
+//! Each shell layer is an RGBA image of the hair in a slab of the tile, taken with a tall Gaussian filter; the fin is a slab of hair seen from its side
+//! (Lengyel, Praun, Finkelstein, Hoppe, "Real-time fur over arbitrary surfaces", I3D 2001, section 2.2). Hair is integrated in closed form, never
+//! point sampled, so that thin hair neither vanishes nor thickens with the resolution.
+//!
+//! **Convention.** A layer's row 0 is y = 0 of the tile, its column 0 is x = 0; layer 0 is the skin, the last the tips. A fin's row 0 is the tips. Texels are
+//! RGBA8: red, green and blue premultiplied by alpha in linear light and then sRGB-encoded, alpha linear coverage. Strands are cut in `f64`, texels
+//! evaluated and averaged in `f32`, and rounded to bytes once at the end of each level.
+//!
+//! ```
+//! use pelage_strand::{GrowSettings, grow};
+//! use pelage_volume::{FinSettings, ShellSettings, sample_fin, sample_shells};
+//!
+//! let hair = grow(&GrowSettings { count: 100, ..GrowSettings::default() })?;
+//! let shells = sample_shells(&hair, &ShellSettings { layers: 8, resolution: 32, ..ShellSettings::default() })?;
+//! assert_eq!((shells.resolution(), shells.mips.len()), (32, 6));
+//! assert_eq!(shells.mips[0].texel(0, 3, 5).map(|texel| texel[3]), Some(255));
+//! let fin = sample_fin(&hair, &FinSettings::default())?;
+//! assert_eq!(fin.mips[0].texels.len(), 4 * 512 * 64);
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
 
 mod blur;
 mod composite;

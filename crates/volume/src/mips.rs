@@ -6,14 +6,17 @@ use crate::image::Image;
 use crate::plane::{Plane, encode};
 
 /// What the mips of a shell stack keep; the mean colour of what covers is kept by both.
+///
+/// No single coverage is right from every side: along the normal hair stands over hair and the layers go together, along slanted sight lines they are as good
+/// as independent. Measured on the default coat with darkened roots (`examples/coverage_error.rs` and the book's page), `Coverage` errs less over 0°, 45°
+/// and 75° together, so it is the default.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum MipRule {
-    /// The mean coverage of every layer. Right for sight lines so slanted that layers are uncorrelated; along the normal, hair that stands over hair is
-    /// counted as if it stood beside it, so the stack grows solid with distance.
+    /// The mean coverage of every layer. Right for slanted sight lines; along the normal the stack grows somewhat more solid with distance.
+    #[default]
     Coverage,
     /// The mean transmittance of the whole stack along the normal, texel by texel: the coverages of a column are raised to one common power,
-    /// 1 − (1 − a)^γ.
-    #[default]
+    /// 1 − (1 − a)^γ. Right for hair seen from above; slanted sight lines see it thinner with distance.
     Transmittance,
 }
 

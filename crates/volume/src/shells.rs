@@ -178,3 +178,37 @@ fn lay_on_skin(plane: &mut Plane, skin: [f32; 3]) {
         texel[3] = 1.0;
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use pelage_strand::StrandSource;
+    use std::f64::consts::PI;
+
+    /// What layer 5 of 11 covers of a 64 tile, in texel areas, of one hair.
+    fn mass(points: Vec<[f64; 3]>, radius: f64, lateral_sigma: f64) -> f64 {
+        let source = StrandSource { radii: vec![radius; points.len()], points, root_colour: [1.0; 3], tip_colour: [1.0; 3] };
+        let tile = StrandTile::from_strands(1.0, &[source]).unwrap();
+        let spans: Vec<(f32, f32)> = tile.strands().map(|strand| span(&strand)).collect();
+        let settings = ShellSettings { layers: 11, resolution: 64, lateral_sigma, ..ShellSettings::default() };
+        let (plane, _) = sample_layer(&tile, &spans, &settings, 5);
+        plane.texels.iter().map(|texel| f64::from(texel[3])).sum()
+    }
+
+    #[test]
+    fn no_width_of_filter_gains_or_loses_hair() {
+        // Upright hair covers its section; leaning hair, besides, a strip as long as it runs in the layer's Gaussian: spacing × slope.
+        for radius in [0.0005, 0.004, 0.02] {
+            for place in [0.3, 0.4951, 0.0, 0.999] {
+                for lateral in [0.0, 1e-6, 1e-3, 0.1, 0.3, 0.5, 1.0, 2.0, 16.0, 64.0] {
+                    let section = PI * (radius * 64.0f64).powi(2);
+                    let upright = mass(vec![[place, 0.47, 0.0], [place, 0.47, 1.0]], radius, lateral);
+                    assert!((upright / section - 1.0).abs() < 0.01, "radius {radius} at {place}, σ {lateral}: {upright} of {section}");
+                    let strip = section + 2.0 * radius * 64.0 * 0.1 * 0.5 * 64.0;
+                    let leaning = mass(vec![[place, 0.47, 0.0], [place + 0.3, 0.87, 1.0]], radius, lateral);
+                    assert!((leaning / strip - 1.0).abs() < 0.015, "radius {radius} at {place}, σ {lateral}: {leaning} of {strip}");
+                }
+            }
+        }
+    }
+}

@@ -3,11 +3,14 @@
 use pelage_strand::Strand;
 use std::f64::consts::{PI, TAU};
 
-use crate::footprint::Piece;
+use crate::footprint::{Kind, Piece};
 use crate::gauss::{bell, integral};
 
 /// Beyond this many vertical σ a layer does not feel the hair: exp(−4.5) is 1 % of an 8-bit step short of nothing at mean weight.
 const WINDOW: f64 = 3.0;
+
+/// Runs are merged while their joints stay this near to the straight line, in lateral deviations of the filter.
+const MERGE_DEVIATION: f64 = 0.1;
 
 /// A layer's place and scale: where its tall Gaussian stands and how large a texel is.
 #[derive(Clone, Copy, Debug)]
@@ -57,16 +60,31 @@ impl Slab {
         cut.pieces.clear();
         cut.mass = 0.0;
         let Some(nearest) = self.nearest(strand) else { return };
+        cut.along = nearest.along as f32;
+        let (low, high) = self.reach();
+        let mut pending = Pending::default();
         for index in 0..strand.points.len() - 1 {
+            let (a, b) = (strand.points[index][2], strand.points[index + 1][2]);
+            if a.max(b) < low || a.min(b) > high {
+                continue;
+            }
             let run = self.run(strand, index);
-            let Some(run) = run.clipped() else { continue };
-            for part in run.split(0.0).into_iter().flatten() {
-                let outwards = if nearest.crossings <= 1 { if part.middle_along() < nearest.along { -1.0 } else { 1.0 } } else { 0.0 };
-                self.strips(&part, outwards, cut);
+            for part in run.clipped().into_iter().flat_map(|run| run.split(0.0)).flatten() {
+                let side = if nearest.crossings > 1 { 0.0 } else { if part.middle_along() < nearest.along { -1.0 } else { 1.0 } };
+                if let Some((done, beside)) = pending.take_in(part, side, MERGE_DEVIATION * self.lateral) {
+                    strip(&done, beside, cut);
+                }
+            }
+            if let Some(part) = run.crossing() {
+                self.section(&run, part, cut);
             }
         }
-        cut.along = nearest.along as f32;
-        self.sections(strand, &nearest, cut);
+        if let Some((done, beside)) = pending.flush() {
+            strip(&done, beside, cut);
+        }
+        if nearest.crossings == 0 {
+            self.section(&self.run(strand, nearest.index), nearest.part, cut);
+        }
     }
 
     fn run(&self, strand: &Strand<'_>, index: usize) -> Run {
@@ -81,47 +99,6 @@ impl Slab {
         }
     }
 
-    /// The strip of one run, cut so that the weight changes little within the filter's width.
-    fn strips(&self, run: &Run, outwards: f32, cut: &mut Cut) {
-        let length = run.length();
-        if length < 1e-6 {
-            return;
-        }
-        let along = [run.step[0] / length, run.step[1] / length].map(|c| c as f32);
-        let rise = run.heights[1] - run.heights[0];
-        let count = (rise.abs() / 0.5).min(length / (0.7 * self.lateral)).ceil().clamp(1.0, 256.0);
-        for part in 0..count as u32 {
-            let [t0, t1] = [f64::from(part) / count, f64::from(part + 1) / count];
-            let weight = mean_bell(run.heights[0] + rise * t0, run.heights[0] + rise * t1);
-            let radius = run.radii[0] + (run.radii[1] - run.radii[0]) * 0.5 * (t0 + t1);
-            let piece_length = length / count;
-            cut.mass += 2.0 * radius * piece_length * weight;
-            cut.pieces.push(Piece {
-                from: [0, 1].map(|axis| (run.from[axis] + run.step[axis] * t0) as f32),
-                along,
-                length: piece_length as f32,
-                radius: radius as f32,
-                weight: weight as f32,
-                start_shift: outwards,
-                end_shift: outwards,
-            });
-        }
-    }
-
-    /// The hair's round sections where it crosses the layer; where it does not, that at its nearest point, faded.
-    fn sections(&self, strand: &Strand<'_>, nearest: &Nearest, cut: &mut Cut) {
-        if nearest.crossings == 0 {
-            self.section(&self.run(strand, nearest.index), nearest.part, cut);
-            return;
-        }
-        for index in 0..strand.points.len() - 1 {
-            let run = self.run(strand, index);
-            if let Some(part) = run.crossing() {
-                self.section(&run, part, cut);
-            }
-        }
-    }
-
     fn section(&self, run: &Run, part: f64, cut: &mut Cut) {
         let radius = run.radii[0] + (run.radii[1] - run.radii[0]) * part;
         let weight = bell(run.heights[0] + (run.heights[1] - run.heights[0]) * part);
@@ -133,23 +110,30 @@ impl Slab {
             along: along.map(|c| c as f32),
             length: 0.0,
             radius: radius as f32,
-            weight: weight as f32,
-            start_shift: -1.0,
-            end_shift: 1.0,
+            kind: Kind::Section { weight: weight as f32, alone: self.alone(run) as f32 },
         });
+    }
+
+    /// How much of a section stands alone: what of the hair's run beside it fades within the filter's width.
+    fn alone(&self, run: &Run) -> f64 {
+        let fade = run.length() / (run.heights[1] - run.heights[0]).abs().max(1e-9);
+        1.0 - bell(self.lateral / fade.max(1e-9))
     }
 
     /// Where the strand comes nearest to the layer; `None` if the slab does not feel it.
     fn nearest(&self, strand: &Strand<'_>) -> Option<Nearest> {
         let mut best = Nearest { index: 0, part: 0.0, along: 0.0, distance: f64::INFINITY, crossings: 0 };
+        let height = |index: usize| (f64::from(strand.points[index][2]) - self.height) / self.sigma;
+        let mut from = height(0);
         for index in 0..strand.points.len().saturating_sub(1) {
-            let run = self.run(strand, index);
-            let crossing = run.crossing();
+            let heights = [from, height(index + 1)];
+            from = heights[1];
+            let crossing = crossing(heights);
             best.crossings += u32::from(crossing.is_some());
-            let part = crossing.unwrap_or(if run.heights[0].abs() <= run.heights[1].abs() { 0.0 } else { 1.0 });
-            let distance = (run.heights[0] + (run.heights[1] - run.heights[0]) * part).abs();
+            let distance = if crossing.is_some() { 0.0 } else { heights[0].abs().min(heights[1].abs()) };
             if distance < best.distance {
-                let along = run.along[0] + (run.along[1] - run.along[0]) * part;
+                let part = crossing.unwrap_or(if heights[0].abs() <= heights[1].abs() { 0.0 } else { 1.0 });
+                let along = (index as f64 + part) / (strand.points.len() - 1) as f64;
                 best = Nearest { index, part, along, distance, ..best };
             }
         }
@@ -174,11 +158,39 @@ impl Run {
         0.5 * (self.along[0] + self.along[1])
     }
 
-    /// Where the run passes through the layer, as a part of it. A point exactly on the layer belongs to the run that begins there, so that it
-    /// counts once.
     fn crossing(&self) -> Option<f64> {
-        let [a, b] = self.heights;
-        ((a < 0.0) != (b < 0.0)).then(|| a / (a - b))
+        crossing(self.heights)
+    }
+
+    /// Where the run ends.
+    fn end(&self) -> [f64; 2] {
+        [self.from[0] + self.step[0], self.from[1] + self.step[1]]
+    }
+
+    /// The straight run from this one's beginning to the other's end.
+    fn joined(&self, next: &Self) -> Self {
+        let end = next.end();
+        Self {
+            from: self.from,
+            step: [end[0] - self.from[0], end[1] - self.from[1]],
+            heights: [self.heights[0], next.heights[1]],
+            radii: [self.radii[0], next.radii[1]],
+            along: [self.along[0], next.along[1]],
+        }
+    }
+
+    /// How far a joint lies from where this run passes its height, in texels.
+    fn deviation(&self, joint: &Joint) -> f64 {
+        let rise = self.heights[1] - self.heights[0];
+        if rise.abs() < 1e-9 {
+            return f64::INFINITY;
+        }
+        let t = (joint.height - self.heights[0]) / rise;
+        if !(0.0..=1.0).contains(&t) {
+            return f64::INFINITY;
+        }
+        let off = [0, 1].map(|axis| self.from[axis] + self.step[axis] * t - joint.place[axis]);
+        (off[0] * off[0] + off[1] * off[1]).sqrt()
     }
 
     fn between(&self, t0: f64, t1: f64) -> Self {
@@ -215,6 +227,74 @@ impl Run {
         let t = (height - a) / (b - a);
         [Some(self.between(0.0, t)), Some(self.between(t, 1.0))]
     }
+}
+
+/// Where heights change sign, as a part of the way. A point exactly on the layer belongs to the run that begins there, so that it counts once.
+fn crossing([a, b]: [f64; 2]) -> Option<f64> {
+    ((a < 0.0) != (b < 0.0)).then(|| a / (a - b))
+}
+
+/// A point where two runs were joined.
+#[derive(Clone, Copy, Default)]
+struct Joint {
+    place: [f64; 2],
+    height: f64,
+}
+
+/// Joints that a merged run may have.
+const MOST_JOINTS: usize = 8;
+
+/// Runs on one side of the layer, merged while they are as good as straight: hair has more points than a layer can tell apart.
+#[derive(Default)]
+struct Pending {
+    run: Option<(Run, f32)>,
+    joints: [Joint; MOST_JOINTS],
+    count: usize,
+}
+
+impl Pending {
+    /// Adds a run; hands back the finished one that it could not be merged with.
+    fn take_in(&mut self, next: Run, side: f32, tolerance: f64) -> Option<(Run, f32)> {
+        let Some((run, old_side)) = self.run else {
+            self.run = Some((next, side));
+            return None;
+        };
+        let merged = run.joined(&next);
+        let joint = Joint { place: next.from, height: next.heights[0] };
+        let end = run.end();
+        let follows = run.heights[1] == next.heights[0] && (end[0] - next.from[0]).abs() + (end[1] - next.from[1]).abs() < 1e-6;
+        let straight = self.joints[..self.count].iter().chain([&joint]).all(|joint| merged.deviation(joint) <= tolerance);
+        if follows && side == old_side && straight && self.count < MOST_JOINTS {
+            self.joints[self.count] = joint;
+            self.count += 1;
+            self.run = Some((merged, side));
+            return None;
+        }
+        self.count = 0;
+        self.run.replace((next, side))
+    }
+
+    fn flush(&mut self) -> Option<(Run, f32)> {
+        self.run.take()
+    }
+}
+
+/// The strip of one run.
+fn strip(run: &Run, beside: f32, cut: &mut Cut) {
+    let length = run.length();
+    if length < 1e-6 {
+        return;
+    }
+    let rise = run.heights[1] - run.heights[0];
+    let radius = 0.5 * (run.radii[0] + run.radii[1]);
+    cut.mass += 2.0 * radius * length * mean_bell(run.heights[0], run.heights[1]);
+    cut.pieces.push(Piece {
+        from: run.from.map(|c| c as f32),
+        along: run.step.map(|c| (c / length) as f32),
+        length: length as f32,
+        radius: radius as f32,
+        kind: Kind::Strip { height: run.heights[0] as f32, rise: (rise / length) as f32, beside },
+    });
 }
 
 /// The mean of exp(−x²/2) from a to b, in closed form by erf.
