@@ -53,9 +53,12 @@ fn main() -> Result<(), Box<dyn Error>> {
         ("anisotropic", &ball, with(Options { anisotropy: 8, ..Options::default() })),
         ("ring_blended", &ring, with(Options { shell_depth: ShellDepth::Tested, ..Options::default() })),
         ("over_ring", &ring, View::new(over_ring, light(sun))),
-        ("over_ring_blended", &ring, View { options: Options { shell_depth: ShellDepth::Tested, ..Options::default() }, ..View::new(over_ring, light(sun)) }),
-        ("over_ring_t10", &ring, View { options: Options { shell_depth: ShellDepth::Written{threshold:0.1}, ..Options::default() }, ..View::new(over_ring, light(sun)) }),
-        ("over_ring_t30", &ring, View { options: Options { shell_depth: ShellDepth::Written{threshold:0.3}, ..Options::default() }, ..View::new(over_ring, light(sun)) }),
+        (
+            "over_ring_blended",
+            &ring,
+            View { options: Options { shell_depth: ShellDepth::Tested, ..Options::default() }, ..View::new(over_ring, light(sun)) },
+        ),
+        ("close_dotted", &ball, View { options: Options { step_blur: 0.0, ..Options::default() }, ..View::new(close, light(sun)) }),
         ("above", &ring, View::new(camera(0.0, FRAC_PI_2 * 0.6, 1.05), light(sun))),
     ];
     for (name, coat, view) in views {
