@@ -31,6 +31,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     let whole = camera(0.6, 0.3, 1.05);
     let close = Camera { eye: Vec3::new(0.25, 0.3, 0.62), target: Vec3::new(0.1, 0.12, 0.2), ..whole };
     let grazing = Camera { eye: Vec3::new(0.0, 0.36, 0.55), target: Vec3::new(0.0, 0.28, 0.0), ..whole };
+    let over_ring = Camera { eye: Vec3::new(0.0, 0.32, 0.8), target: Vec3::new(0.02, 0.09, 0.2), ..whole };
     let sun = Vec3::new(0.5, 0.8, 0.6);
     let parts = |surface, fins, shells| Options { surface, fins, shells, ..Options::default() };
     let with = |options: Options| View { options, ..View::new(whole, light(sun)) };
@@ -51,6 +52,13 @@ fn main() -> Result<(), Box<dyn Error>> {
         ("table", &ball, with(Options { lighting: LightingMode::Table(Default::default()), ..Options::default() })),
         ("anisotropic", &ball, with(Options { anisotropy: 8, ..Options::default() })),
         ("ring_blended", &ring, with(Options { shell_depth: ShellDepth::Tested, ..Options::default() })),
+        ("over_ring", &ring, View::new(over_ring, light(sun))),
+        (
+            "over_ring_blended",
+            &ring,
+            View { options: Options { shell_depth: ShellDepth::Tested, ..Options::default() }, ..View::new(over_ring, light(sun)) },
+        ),
+        ("close_dotted", &ball, View { options: Options { step_blur: 0.0, ..Options::default() }, ..View::new(close, light(sun)) }),
         ("above", &ring, View::new(camera(0.0, FRAC_PI_2 * 0.6, 1.05), light(sun))),
     ];
     for (name, coat, view) in views {

@@ -148,7 +148,7 @@ impl Offscreen {
 
     fn prepare(&self, coat: &GpuCoat, view: &View, background: &Background) -> Result<PreparedView, RenderError> {
         self.background.set(self.headless.queue(), background)?;
-        let viewpoint = Viewpoint::of(&view.camera, self.size.0 as f32 / self.size.1 as f32);
+        let viewpoint = Viewpoint::of(&view.camera, self.size);
         self.renderer.prepare(self.headless.device(), self.headless.queue(), coat, view, &viewpoint)
     }
 

@@ -26,6 +26,7 @@ pub(crate) struct FrameUniform {
     shadow: [f32; 4],
     facing: [f32; 4],
     fur: [f32; 4],
+    screen: [f32; 4],
     table: [f32; 4],
 }
 
@@ -57,6 +58,7 @@ impl FrameUniform {
                 0.0,
             ],
             fur: [not_negative(view.options.length_scale), 1.0 / layers.saturating_sub(1).max(1) as f32, threshold, 1.0 / GROWTH_LENGTH],
+            screen: [0.5 * viewpoint.pixels.x, 0.5 * viewpoint.pixels.y, view.options.step_blur.clamp(0.0, 16.0), 0.0],
             table: table(view.options.lighting),
         };
         uniform.check()?;
@@ -69,7 +71,7 @@ impl FrameUniform {
             ("the camera", finite(&self.clip_from_coat) && finite(&[self.eye, self.toward_eye])),
             ("the light", finite(&[self.light, self.light_colour, self.sky, self.ground])),
             ("the shading", finite(&[self.ambient, self.diffuse, self.specular, self.shadow, self.facing])),
-            ("the length scale or the alpha threshold", finite(&[self.fur])),
+            ("the length scale, the alpha threshold or the step blur", finite(&[self.fur, self.screen])),
         ];
         parts.iter().find(|(_, fine)| !fine).map_or(Ok(()), |&(what, _)| Err(RenderError::View { what }))
     }

@@ -1,6 +1,6 @@
 //! From where, in what light, and which parts of the coat.
 
-use glam::{Mat4, Vec3};
+use glam::{Mat4, Vec2, Vec3};
 use pelage_coat::{Camera, Light};
 use pelage_lighting::{Shading, TableLayout};
 
@@ -33,12 +33,15 @@ pub struct Viewpoint {
     pub eye: Vec3,
     /// The unit direction to the viewer at infinity, in coat coordinates; fins are faded by it (L11).
     pub toward_eye: Vec3,
+    /// Width and height of what is drawn into, in pixels.
+    pub pixels: Vec2,
 }
 
 impl Viewpoint {
-    /// A camera's, for a picture `aspect` times as wide as high.
-    pub fn of(camera: &Camera, aspect: f32) -> Self {
-        Self { clip_from_coat: camera.view_projection(aspect), eye: camera.eye, toward_eye: camera.toward_eye() }
+    /// A camera's, for a picture of `width` × `height` pixels.
+    pub fn of(camera: &Camera, (width, height): (u32, u32)) -> Self {
+        let pixels = Vec2::new(width as f32, height as f32);
+        Self { clip_from_coat: camera.view_projection(pixels.x / pixels.y), eye: camera.eye, toward_eye: camera.toward_eye(), pixels }
     }
 }
 
@@ -116,6 +119,9 @@ pub struct Options {
     pub length_scale: f32,
     /// What shells do to the depth buffer.
     pub shell_depth: ShellDepth,
+    /// The most levels of detail by which shells are blurred where a strand's places in one layer and the next lie more than a pixel apart on the
+    /// screen, so that it does not fall into dots at a grazing angle; 0 (off) to 16. Costs nothing to speak of; too much washes hair out.
+    pub step_blur: f32,
     /// Where lighting is evaluated.
     pub lighting: LightingMode,
     /// How many times finer than its short side a slanted footprint is filtered; 1 (off) to 16. Costs up to as many fetches.
@@ -131,6 +137,7 @@ impl Default for Options {
             layers: ShellRange::default(),
             length_scale: 1.0,
             shell_depth: ShellDepth::default(),
+            step_blur: 1.5,
             lighting: LightingMode::default(),
             anisotropy: 1,
         }

@@ -19,6 +19,7 @@ const NOTHING: Options = Options {
     layers: ShellRange { first: 1, end: u32::MAX, left_out: None },
     length_scale: 1.0,
     shell_depth: ShellDepth::Tested,
+    step_blur: 0.0,
     lighting: LightingMode::PerVertex,
     anisotropy: 1,
 };
@@ -75,7 +76,12 @@ fn bare_parts_stay_bare() {
     let (all, skin) = (seen(Options::default()), seen(Options { shells: false, fins: false, ..Options::default() }));
     let middle = 4 * (SIZE.1 as usize / 2 * SIZE.0 as usize + SIZE.0 as usize / 2);
     assert_eq!(all.rgba[middle..middle + 4], skin.rgba[middle..middle + 4]);
-    assert!(all.frame.triangles < picture(&ball(), &view(Options::default())).frame.triangles);
+    // Faces without a furred corner are not submitted as shells.
+    let offset = |corner: &u32| coat.surface.offsets[coat.patches.vertices[*corner as usize] as usize];
+    let furred = coat.patches.faces.iter().filter(|face| face.iter().any(|corner| offset(corner) != Vec3::ZERO)).count();
+    assert!(furred < coat.patches.faces.len());
+    let shells = seen(Options { surface: false, fins: false, ..Options::default() }).frame;
+    assert_eq!(shells.triangles, 7 * furred as u64);
 }
 
 #[test]
@@ -169,6 +175,25 @@ fn each_switch_and_layer_shows() {
 }
 
 #[test]
+fn step_blur_joins_the_dots_of_a_slanted_hair() {
+    // Hair that leans along the picture's height, seen at a grazing angle: dots along each strand are contrast from row to row.
+    let hair = Recipe { layers: 8, ..Recipe::default() }.grow();
+    let coat = coat(&shapes::square(8, 3.0), Style { length: 0.12, slant: 0.2, toward: Vec3::Y }, &hair);
+    let camera = Camera { eye: Vec3::new(0.0, -1.2, 0.25), target: Vec3::new(0.0, 0.0, 0.05), up: Vec3::Z, field_of_view: 0.35, near: 0.1 };
+    let roughness = |step_blur| {
+        let options = Options { step_blur, fins: false, ..Options::default() };
+        let seen = picture(&coat, &View { options, ..View::new(camera, light(Vec3::new(0.3, -1.0, 1.0))) });
+        let stride = 4 * SIZE.0 as usize;
+        let bend =
+            |at: usize| (2.0 * f64::from(seen.rgba[at]) - f64::from(seen.rgba[at - stride]) - f64::from(seen.rgba[at + stride])).abs();
+        let inside = (stride..seen.rgba.len() - stride).step_by(4);
+        inside.map(bend).sum::<f64>() / f64::from(SIZE.0 * (SIZE.1 - 2))
+    };
+    let (dotted, joined) = (roughness(0.0), roughness(Options::default().step_blur));
+    assert!(joined < 0.85 * dotted, "{dotted} {joined}");
+}
+
+#[test]
 fn lighting_modes_agree() {
     let fine = || coat(&shapes::sphere(16, 4.0), Style { length: 0.05, ..Style::default() }, &hair(8));
     let lit = |lighting| picture(&fine(), &view(Options { lighting, ..Options::default() }));
@@ -184,7 +209,7 @@ fn lighting_modes_agree() {
 fn written_depth_hides_fur_behind_fur() {
     // Two squares with fur, the near one drawn first: what stands behind must not be blended over it.
     let shape = shapes::square(2, 4.0);
-    let hair = Recipe { resolution: 16, guard_hairs: 30, under_hairs: 0, radius: 0.05, layers: 4, ..Recipe::default() }.grow();
+    let hair = Recipe { resolution: 64, guard_hairs: 16, under_hairs: 0, radius: 0.08, layers: 4, ..Recipe::default() }.grow();
     let mut pair = coat(&shape, Style { length: 0.1, slant: 0.0, ..Style::default() }, &hair);
     let count = pair.surface.positions.len();
     pair.surface.positions = [0.0, -0.05].iter().flat_map(|&z| shape.positions.iter().map(move |p| *p + z * Vec3::Z)).collect();
@@ -199,13 +224,16 @@ fn written_depth_hides_fur_behind_fur() {
     pair.patches.faces.extend(faces.iter().map(|f| f.map(|c| c + corners)));
     pair.patches.patch_ends = vec![pair.patches.faces.len() as u32];
     let red = |shell_depth| {
-        let options = Options { surface: false, fins: false, shell_depth, ..Options::default() };
+        let options = Options { surface: false, fins: false, shell_depth, step_blur: 0.0, ..Options::default() };
         let camera = Camera { eye: Vec3::Z, target: Vec3::ZERO, up: Vec3::Y, field_of_view: 0.4, near: 0.1 };
         let seen = picture(&pair, &View { options, ..View::new(camera, light(Vec3::Z)) });
         seen.rgba.chunks_exact(4).zip(&seen.coverage).filter(|(p, c)| **c > 200 && p[0] > p[1]).count()
     };
     let (written, tested) = (red(ShellDepth::default()), red(ShellDepth::Tested));
-    assert!(written < tested, "red before green: {written} with depth written, {tested} without");
+    assert!(2 * written < tested, "red before green: {written} with depth written, {tested} without");
+    let opaque_only = red(ShellDepth::Written { threshold: 0.9 });
+    assert!(written > 10, "between the hairs what is behind them shows: {written}");
+    assert!(opaque_only > written, "fewer hairs before it: {opaque_only}, {written}");
 }
 
 #[test]

@@ -6,7 +6,7 @@ mod support;
 
 use std::sync::Arc;
 
-use glam::{Mat4, Vec3};
+use glam::{Mat4, Vec2, Vec3};
 use pelage_coat::{Camera, Coat, CoatError, FinEdges, Light, MipImage, PatchMesh, ShellTexture, Surface};
 use pelage_lighting::TableLayout;
 use pelage_render::{
@@ -90,10 +90,10 @@ fn views_that_are_no_numbers_are_refused() {
         (View { camera: Camera { field_of_view: f32::NAN, ..camera() }, ..fine.clone() }, "the camera"),
         (View { camera: Camera { near: f32::INFINITY, ..camera() }, ..fine.clone() }, "the camera"),
         (View { light: Light { sky: Vec3::NAN, ..fine.light }, ..fine.clone() }, "the light"),
-        (view(Options { length_scale: f32::NAN, ..Options::default() }), "the length scale or the alpha threshold"),
+        (view(Options { length_scale: f32::NAN, ..Options::default() }), "the length scale, the alpha threshold or the step blur"),
         (
             view(Options { shell_depth: ShellDepth::Written { threshold: f32::NAN }, ..Options::default() }),
-            "the length scale or the alpha threshold",
+            "the length scale, the alpha threshold or the step blur",
         ),
     ];
     for (view, what) in spoiled {
@@ -210,6 +210,7 @@ fn embedded(models: &[Mat4]) -> usize {
                 clip_from_coat: clip_from_world * *model,
                 eye: coat_from_world.transform_point3(eye),
                 toward_eye: coat_from_world.transform_vector3(Vec3::Z).normalize(),
+                pixels: Vec2::splat(64.0),
             };
             renderer.prepare(device, queue, &coat, &view(Options::default()), &viewpoint).expect("a view")
         })

@@ -62,6 +62,7 @@ fn bench(headless: &Headless, coat: &Coat, samples: u32, rounds: usize) {
         ("lit at pixels, 32² cosine table", Options { lighting: LightingMode::Table(TableLayout::PAPER), ..defaults }),
         ("depth only tested", Options { shell_depth: ShellDepth::Tested, ..defaults }),
         ("without fins", Options { fins: false, ..defaults }),
+        ("without step blur", Options { step_blur: 0.0, ..defaults }),
         ("anisotropy 4", Options { anisotropy: 4, ..defaults }),
     ];
     let prepare = |options| prepare(headless, &renderer, &gpu_coat, options);
@@ -112,7 +113,7 @@ fn bench(headless: &Headless, coat: &Coat, samples: u32, rounds: usize) {
 
 fn prepare(headless: &Headless, renderer: &Renderer, coat: &GpuCoat, options: Options) -> PreparedView {
     let view = view(options);
-    let viewpoint = Viewpoint::of(&view.camera, SIZE.0 as f32 / SIZE.1 as f32);
+    let viewpoint = Viewpoint::of(&view.camera, SIZE);
     renderer.prepare(headless.device(), headless.queue(), coat, &view, &viewpoint).expect("a finite view")
 }
 

@@ -14,6 +14,7 @@ struct Frame {
     shadow: vec4f,        // density, minimum, grazing, density seen by the hemisphere
     facing: vec4f,        // strength, dark_below, 1 / (full_above − dark_below)
     fur: vec4f,           // length scale, 1 / (layers − 1), alpha threshold, growth per diameter of length
+    screen: vec4f,        // half the width and height in pixels, most levels of blur between layers
     table: vec4f,         // (size − 1) / size, 0.5 / size, u by angle, v by angle
 };
 

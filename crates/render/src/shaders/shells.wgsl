@@ -6,7 +6,16 @@ struct ShellVertex {
     @location(1) light: vec4f,   // lit at vertices: the light; else its ambient part, and u
     @location(2) direct: vec4f,  // lit at pixels: the direct light, and v
     @location(3) @interpolate(flat) layer: u32,
+    @location(4) blur: f32,  // levels
 };
+
+// The levels of blur that let a strand's footprints in this layer and the next meet on the screen. At a grazing angle the footprints are thin
+// and apart, and a strand would be a row of dots. Where the texture is magnified the blur is used up before it shows.
+fn step_blur(clip: vec4f, offset: vec3f) -> f32 {
+    let next = clip + frame.clip_from_coat * vec4f(offset * frame.fur.y, 0.0);
+    let step = (next.xy / max(next.w, 1e-6) - clip.xy / max(clip.w, 1e-6)) * frame.screen.xy;
+    return clamp(log2(max(length(step), 1.0)), 0.0, frame.screen.z);
+}
 
 @vertex
 fn shell_vertex(@location(0) index: u32, @location(1) tile: vec2f, @builtin(instance_index) layer: u32) -> ShellVertex {
@@ -20,13 +29,14 @@ fn shell_vertex(@location(0) index: u32, @location(1) tile: vec2f, @builtin(inst
     if LIGHTING == 0u {
         ambient += direct * reflected(factors(cosines.x, cosines.y) * vec2f(1.0, half.w));
     }
+    let clip = frame.clip_from_coat * vec4f(place, 1.0);
     return ShellVertex(
-        frame.clip_from_coat * vec4f(place, 1.0), vec4f(tile, growth_of(v.offset), half.w),
-        vec4f(ambient, cosines.x), vec4f(direct, cosines.y), layer);
+        clip, vec4f(tile, growth_of(v.offset), half.w),
+        vec4f(ambient, cosines.x), vec4f(direct, cosines.y), layer, step_blur(clip, v.offset));
 }
 
 fn shell_colour(in: ShellVertex) -> vec4f {
-    let hair = textureSample(shell_layers, tile_sampler, in.tile.xy, in.layer) * clamp(in.tile.z, 0.0, 1.0);
+    let hair = textureSampleBias(shell_layers, tile_sampler, in.tile.xy, in.layer, in.blur) * clamp(in.tile.z, 0.0, 1.0);
     var light = in.light.xyz;
     if LIGHTING != 0u {
         light += in.direct.xyz * reflected(factors(in.light.w, in.direct.w) * vec2f(1.0, in.tile.w));
