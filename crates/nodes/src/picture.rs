@@ -122,6 +122,9 @@ pub struct RenderImage {
     /// How much finer than its short side a slanted footprint of the texture is filtered.
     #[param(default = 1, range = 1..=16, unit = "ratio", effect = "more: crisper at a slant, up to as many fetches")]
     pub anisotropy: u32,
+    /// The most by which shells are blurred where a strand would fall into dots between one layer and the next.
+    #[param(default = 1.5, range = 0.0..=16.0, unit = "levels of detail", effect = "0: crisp, with stripes at a slant; large: washed out")]
+    pub step_blur: f64,
     /// The background at the top.
     #[param(default = Colour([0.82, 0.84, 0.86]))]
     pub background_top: Colour,
@@ -170,6 +173,7 @@ impl RenderImage {
                     LightingAt::Table { size } => LightingMode::Table(TableLayout { size: size as usize, ..TableLayout::default() }),
                 },
                 anisotropy: self.anisotropy as u16,
+                step_blur: self.step_blur as f32,
             },
         }
     }

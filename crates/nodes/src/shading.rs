@@ -70,10 +70,10 @@ pub struct HairLightingNode {
     #[param(default = 24.0, range = 0.0..=10000.0, unit = "exponent", effect = "larger: a narrower highlight")]
     pub specular_power: f64,
     /// How dense the fur is to light on its way down to the skin.
-    #[param(default = 0.9, range = 0.0..=50.0, unit = "optical depth of the whole fur", effect = "larger: darker near the skin, more depth")]
+    #[param(default = 0.75, range = 0.0..=50.0, unit = "optical depth of the whole fur", effect = "larger: darker near the skin, more depth")]
     pub shadow: f64,
     /// How much darker the side away from the light is.
-    #[param(default = 1.0, range = 0.0..=1.0, unit = "fraction", effect = "0: the paper's bare formula, which lights both sides alike")]
+    #[param(default = 0.65, range = 0.0..=1.0, unit = "fraction", effect = "0: the paper's bare formula, which lights both sides alike")]
     pub facing: f64,
 }
 
