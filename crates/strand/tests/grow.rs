@@ -279,6 +279,10 @@ fn noise_repeats_is_bounded_and_smooth() {
         assert!(value.abs() <= 1.0);
         assert!((value - noise.value(x + 3.0, y - 2.0, z)).abs() < 1e-9);
         assert!((value - noise.value(x + 1e-5, y, z)).abs() < 1e-3);
+        assert!(
+            (noise.value(1.0 - 1e-7, y, z) - noise.value(0.0, y, z)).abs() < 1e-5
+                && (noise.value(x, 1.0 - 1e-7, z) - noise.value(x, 0.0, z)).abs() < 1e-5
+        );
         spread = spread.max(value.abs());
     }
     assert!(spread > 0.4);

@@ -44,3 +44,20 @@ fn convolve(texels: &mut [[f32; 4]], start: usize, stride: usize, count: usize, 
         texels[start + i * stride] = sum;
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_kernel_knows_the_torus() {
+        for sigma in [0.1, 1.0, 16.0, 64.0] {
+            let weights = kernel(sigma, 64);
+            assert!((weights.iter().sum::<f32>() - 1.0).abs() < 1e-5);
+            // Left and right are the same, the border none.
+            assert!((1..64).all(|i| (weights[i] - weights[64 - i]).abs() < 1e-7), "σ {sigma}");
+        }
+        // As wide as the tile, it forgets where the hair stood.
+        assert!(kernel(64.0, 64).iter().all(|w| (w * 64.0 - 1.0).abs() < 1e-4));
+    }
+}

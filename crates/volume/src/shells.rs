@@ -211,4 +211,16 @@ mod tests {
             }
         }
     }
+
+    #[test]
+    fn a_tip_below_a_layer_fades_as_the_gaussian() {
+        // Layer 5 stands at 0.5, its deviation is 0.1/√(2π).
+        let sigma = 0.1 / TAU.sqrt();
+        let section = PI * (0.02 * 64.0f64).powi(2);
+        for below in [0.0, 0.5, 1.0, 2.0] {
+            let end = 0.5 - below * sigma;
+            let covered = mass(vec![[0.3, 0.47, 0.0], [0.3, 0.47, end]], 0.02, 0.35);
+            assert!((covered - section * (-0.5 * below * below).exp()).abs() < 0.01 * section, "{below} σ below: {covered} of {section}");
+        }
+    }
 }

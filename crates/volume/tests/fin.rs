@@ -19,6 +19,7 @@ fn levels_halve_down_to_one_texel() {
     let fin = sample_fin(&grow(&GrowSettings::default()).unwrap(), &FinSettings::default()).unwrap();
     let sides: Vec<(u32, u32)> = fin.mips.iter().map(|mip| (mip.width, mip.height)).collect();
     assert_eq!(sides, [(512, 64), (256, 32), (128, 16), (64, 8), (32, 4), (16, 2), (8, 1), (4, 1), (2, 1), (1, 1)]);
+    assert_eq!((fin.byte_size(), fin.level_bytes()[0]), (174_780, 131_072));
     let full = fin.mips[0].mean_coverage(0);
     assert!(fin.mips.iter().all(|mip| (mip.mean_coverage(0) - full).abs() < 1.0 / 255.0));
 }
@@ -30,6 +31,10 @@ fn a_fin_is_dense_at_the_skin_and_ragged_at_the_tips() {
     assert!(row(&fin, 0) < 0.15, "{}", row(&fin, 0));
     let quarters = [0, 16, 32, 48].map(|first| (first..first + 16).map(|y| row(&fin, y)).sum::<f64>());
     assert!(quarters.windows(2).all(|pair| pair[1] > pair[0]), "{quarters:?}");
+    // Each tile of the width shows another slab.
+    let third = |n: u32| -> Vec<u8> { (n * 170..(n + 1) * 170).map(|x| fin.mips[0].texel(0, x, 40).unwrap()[3]).collect() };
+    let filled = |n: u32| third(n).iter().filter(|&&byte| byte > 127).count();
+    assert!((0..3).all(|n| filled(n) > 100) && third(0) != third(1) && third(1) != third(2));
     // Tips end at different heights: the highest covered row differs along the fin.
     let mip = &fin.mips[0];
     let top = |x: u32| (0..64).find(|&y| mip.texel(0, x, y).unwrap()[3] > 127).unwrap_or(64);
