@@ -4,7 +4,7 @@ use std::path::Path;
 use std::sync::{Arc, OnceLock};
 
 use pelage_coat::{Background, Coat, Light};
-use pelage_graph::{Colour, Evaluation, Graph, Request};
+use pelage_graph::{Colour, Evaluation, Graph, Request, TraceEntry};
 use pelage_lighting::Shading;
 use pelage_mesh::Mesh;
 use pelage_nodes::{Framing, Gpu, Picture};
@@ -72,6 +72,11 @@ impl Scene {
     /// Where its main output is no picture.
     pub fn picture(&self) -> Result<Arc<Picture>, Error> {
         Ok(self.evaluation.get::<Picture>(&self.output)?)
+    }
+
+    /// What each node did, in order.
+    pub fn trace(&self) -> &[TraceEntry] {
+        self.evaluation.trace()
     }
 
     /// The one value of a type that the graph made on its way.

@@ -1,16 +1,13 @@
 //! Every saved graph makes the picture that is kept of it.
+#![allow(clippy::print_stdout, reason = "the distance of each picture, to choose bounds by")]
 
 use pelage_tests::{Bounds, Error, Golden, Scene, graph_names};
-
-/// Between what two versions of a driver may differ by (rounding: FLIP far under 0.001) and the least of the seeded defects, see
-/// `seeded_defects.rs`, which fails if this becomes too wide to notice one.
-const BOUNDS: Bounds = Bounds { mean: 0.004, p99: 0.05 };
 
 #[test]
 fn every_graph_makes_its_picture() -> Result<(), Error> {
     let mut failures = Vec::new();
     for name in graph_names()? {
-        let checked = Golden::read(&name).and_then(|golden| golden.expect(&*Scene::evaluate(&name, &[])?.picture()?, BOUNDS));
+        let checked = Golden::read(&name).and_then(|golden| golden.expect(&*Scene::evaluate(&name, &[])?.picture()?, Bounds::KEPT));
         match checked {
             Ok(comparison) => println!("{name}: FLIP mean {:.5}, 99th percentile {:.5}", comparison.mean, comparison.p99),
             Err(error) => failures.push(error.to_string()),

@@ -76,28 +76,28 @@ pub struct GrowStrands {
     #[param(default = HairStyle::Wavy { amplitude: 0.008, waves: 1.2 })]
     pub style: HairStyle,
     /// Guard hairs in a tile.
-    #[param(default = 1100, range = 0..=1000000, unit = "strands a tile", effect = "100 is sparse, 1000 dense; cost is linear in it")]
+    #[param(default = 1400, range = 0..=1000000, unit = "strands a tile", effect = "100 is sparse, 1000 dense; cost is linear in it")]
     pub count: u32,
     /// Height that the longest hair reaches.
     #[param(default = 0.35, range = 0.001..=8.0, unit = "tile sides", effect = "the proportions of a hair; the coat sets its length on the surface")]
     pub height: f64,
     /// How much shorter hairs may be.
-    #[param(default = 0.45, range = 0.0..=0.95, unit = "fraction of the height", effect = "larger: a more ragged silhouette")]
+    #[param(default = 0.5, range = 0.0..=0.95, unit = "fraction of the height", effect = "larger: a more ragged silhouette")]
     pub length_variation: f64,
     /// Radius at the root.
-    #[param(default = 0.0105, range = 0.000001..=0.25, unit = "tile sides", effect = "thicker hair; under half a texel it turns translucent")]
+    #[param(default = 0.0095, range = 0.000001..=0.25, unit = "tile sides", effect = "thicker hair; under half a texel it turns translucent")]
     pub thickness: f64,
     /// Radius at the tip.
     #[param(default = 0.15, range = 0.0..=1.0, unit = "radii at the root", effect = "blunter tips")]
     pub tip_thickness: f64,
     /// How late the hair tapers.
-    #[param(default = 1.6, range = 0.1..=10.0, unit = "exponent", effect = "1 is a cone, larger keeps its thickness longer")]
+    #[param(default = 2.0, range = 0.1..=10.0, unit = "exponent", effect = "1 is a cone, larger keeps its thickness longer")]
     pub taper: f64,
     /// From upright towards the way the fur lies.
     #[param(default = 22.0, range = 0.0..=75.0, unit = "degrees", effect = "hair leans within its tile, so layers differ more")]
     pub lean: f64,
     /// How much each hair's heading differs.
-    #[param(default = 9.0, range = 0.0..=60.0, unit = "degrees", effect = "more unruly")]
+    #[param(default = 10.0, range = 0.0..=60.0, unit = "degrees", effect = "more unruly")]
     pub splay: f64,
     /// Pull back to the heading.
     #[param(default = 3.0, range = 0.0..=100.0, unit = "per length grown", effect = "0 is free, 100 stiff")]
@@ -106,16 +106,16 @@ pub struct GrowStrands {
     #[param(default = 0.5, range = 0.0..=20.0, unit = "per length grown", effect = "tips lie lower")]
     pub gravity: f64,
     /// Smooth random sideways push, half of it shared by neighbours.
-    #[param(default = 0.8, range = 0.0..=20.0, unit = "per length grown", effect = "more irregular")]
+    #[param(default = 0.4, range = 0.0..=20.0, unit = "per length grown", effect = "more irregular")]
     pub wander: f64,
     /// How strongly hairs keep clear of each other.
     #[param(default = 0.6, range = 0.0..=20.0, unit = "per length grown", effect = "more even")]
     pub separation: f64,
     /// How far tips gather into locks.
-    #[param(default = 0.25, range = 0.0..=1.0, unit = "fraction", effect = "1 gathers them to points")]
+    #[param(default = 0.15, range = 0.0..=1.0, unit = "fraction", effect = "1 gathers them to points")]
     pub clump: f64,
     /// Width of a lock.
-    #[param(default = 0.12, range = 0.01..=1.0, unit = "tile sides", effect = "fewer, wider locks")]
+    #[param(default = 0.1, range = 0.01..=1.0, unit = "tile sides", effect = "fewer, wider locks")]
     pub clump_size: f64,
     /// Colour at the root.
     #[param(default = Colour([0.437, 0.374, 0.313]))]
@@ -133,7 +133,7 @@ pub struct GrowStrands {
     #[param(default = 24, range = 1..=512, unit = "steps", effect = "smoother hair; cost is linear in it")]
     pub steps: u32,
     /// Of everything random.
-    #[param(default = 1, unit = "seed", effect = "other hair of the same kind")]
+    #[param(default = 25, unit = "seed", effect = "other hair of the same kind")]
     pub seed: u64,
 }
 

@@ -5,7 +5,7 @@ use std::sync::Arc;
 use pelage_coat::{FinTexture, MipImage, ShellTexture};
 use pelage_graph::{Colour, Context, Evaluate, Node, NodeError, Param};
 use pelage_strand::StrandTile;
-use pelage_volume::{FinAcross, FinSettings, Image, MipRule, ShellSettings};
+use pelage_volume::{FinAcross, FinSettings, Image, ShellSettings};
 
 use crate::shading::linear;
 
@@ -38,7 +38,6 @@ impl Evaluate for SampleShells {
             resolution: self.resolution,
             lateral_sigma: self.softness,
             skin_colour: linear(self.skin_colour).to_array(),
-            mip_rule: MipRule::Transmittance,
             ..ShellSettings::default()
         };
         let stack = pelage_volume::sample_shells(&self.strands, &settings)?;

@@ -1,24 +1,24 @@
-//! The frame time at 640 × 480, 16 layers and fins, beside the floors it is judged by, all in one run and in turn.
+//! From OBJ to picture, stage by stage, on a model of about 5,000 faces, everything cold; then the frame time at 640 × 480 with 16 shells and fins beside
+//! the floors it is judged by, all in one run and in turn.
 //!
 //! The *same draw*: identical geometry, blending, depth, sampler, one filtered array fetch a fragment, no lighting, everything computed ahead.
-//! The *full screen*: as many fragments as full-screen rectangles, textured and blended, as context. `cargo bench -p pelage-render --bench frame`,
-//! `-- ROUNDS` for another number of rounds than 20.
+//! The *full screen*: as many fragments as full-screen rectangles, textured and blended, as context.
+//!
+//! `cargo bench -p pelage-tests --bench spine`; `-- ROUNDS` for another number of rounds than 20. The model is `t1_bunny_5000` of `$PELAGE_MODELS` where that is set, else
+//! a ball of 5,120 faces written as an OBJ first.
 #![allow(clippy::print_stdout, clippy::expect_used, reason = "a benchmark prints and may panic")]
 #![allow(unreachable_pub, reason = "modules of a program")]
 
 mod floor;
-#[path = "../../samples/mod.rs"]
-mod samples;
+mod model;
 mod stage;
 
 use std::time::Instant;
 
-use glam::Vec3;
-use pelage_coat::{Camera, Coat};
+use pelage_coat::Coat;
 use pelage_lighting::TableLayout;
 use pelage_render::{GpuCoat, Headless, LightingMode, Options, PreparedView, Renderer, ShellDepth, Target, View, Viewpoint};
-use samples::hair::Recipe;
-use samples::{Style, coat, light, shapes};
+use pelage_tests::Scene;
 use wgpu::{RenderPass, TextureFormat};
 
 use floor::{Floor, FullScreen};
@@ -26,19 +26,27 @@ use stage::{SIZE, Stage};
 
 fn main() {
     let rounds = std::env::args().skip(1).find_map(|a| a.parse().ok()).unwrap_or(20);
-    let headless = Headless::new().expect("an adapter");
-    println!("{} at {} × {}", headless.summary().name, SIZE.0, SIZE.1);
-    let coat = coat(&shapes::sphere(20, 7.0), Style::default(), &Recipe::default().grow());
+    let model = model::five_thousand_faces().expect("a model");
+    let size = format!("({}, {})", SIZE.0, SIZE.1);
+    let overrides = [("bunny.path", model.path()), ("shells.layers", "16"), ("picture.size", &size)];
+    let start = Instant::now();
+    let scene = Scene::evaluate("bunny", &overrides).expect("a picture");
+    let total = start.elapsed().as_secs_f64() * 1e3;
+    println!("{}: from OBJ to picture, cold", model.path());
+    for entry in scene.trace() {
+        println!("{:12} {:16} {:9.1} ms", entry.node.to_string(), entry.kind, entry.ms);
+    }
+    println!("{:29} {total:9.1} ms", "everything included");
+
+    let headless = pelage_tests::gpu().expect("an adapter").headless();
+    println!("\n{} at {} × {}", headless.summary().name, SIZE.0, SIZE.1);
+    let coat = scene.coat().expect("a coat");
+    let (view, _) = scene.view(&coat).expect("a view");
     println!("{} faces, {} edges, {} layers", coat.patches.faces.len(), coat.edges.vertices.len(), coat.shells.layers);
     for samples in [1, 4] {
-        bench(&headless, &coat, samples, rounds);
+        bench(headless, &coat, &view, samples, rounds);
     }
     headless.check().expect("no validation error");
-}
-
-fn view(options: Options) -> View {
-    let camera = Camera::framing(Vec3::ZERO, 0.34, 0.6, 0.3, 0.6, SIZE.0 as f32 / SIZE.1 as f32, 1.05);
-    View { options, ..View::new(camera, light(Vec3::new(0.5, 0.8, 0.6))) }
 }
 
 /// One way of drawing, its name and its times.
@@ -49,7 +57,7 @@ struct Contender<'a> {
     fragments: u64,
 }
 
-fn bench(headless: &Headless, coat: &Coat, samples: u32, rounds: usize) {
+fn bench(headless: &Headless, coat: &Coat, view: &View, samples: u32, rounds: usize) {
     let (device, queue) = (headless.device(), headless.queue());
     let target = Target::new(TextureFormat::Rgba8UnormSrgb, samples);
     let renderer = Renderer::new(device, queue, target);
@@ -65,11 +73,11 @@ fn bench(headless: &Headless, coat: &Coat, samples: u32, rounds: usize) {
         ("without step blur", Options { step_blur: 0.0, ..defaults }),
         ("anisotropy 4", Options { anisotropy: 4, ..defaults }),
     ];
-    let prepare = |options| prepare(headless, &renderer, &gpu_coat, options);
+    let prepare = |options| prepare(headless, &renderer, &gpu_coat, &View { options, ..view.clone() });
     let prepared: Vec<(&str, PreparedView)> = variants.iter().map(|&(name, options)| (name, prepare(options))).collect();
     let stage = Stage::new(device, target);
     let floors = [(true, "floor: same draw"), (false, "floor: same draw, depth only tested")]
-        .map(|(written, name)| (name, Floor::new(device, queue, target, coat, &view(defaults), written)));
+        .map(|(written, name)| (name, Floor::new(device, queue, target, coat, view, written)));
 
     // As many rectangles as the default draws fragments.
     let fragments = stage.fragments(headless, &|pass| renderer.draw(pass, &gpu_coat, &prepared[0].1));
@@ -111,10 +119,9 @@ fn bench(headless: &Headless, coat: &Coat, samples: u32, rounds: usize) {
     }
 }
 
-fn prepare(headless: &Headless, renderer: &Renderer, coat: &GpuCoat, options: Options) -> PreparedView {
-    let view = view(options);
+fn prepare(headless: &Headless, renderer: &Renderer, coat: &GpuCoat, view: &View) -> PreparedView {
     let viewpoint = Viewpoint::of(&view.camera, SIZE);
-    renderer.prepare(headless.device(), headless.queue(), coat, &view, &viewpoint).expect("a finite view")
+    renderer.prepare(headless.device(), headless.queue(), coat, view, &viewpoint).expect("a finite view")
 }
 
 fn contender<'a>(name: &str, draw: impl Fn(&mut RenderPass<'_>) + 'a) -> Contender<'a> {
