@@ -20,7 +20,7 @@ pub struct Bounds {
 impl Bounds {
     /// What every kept picture is held to: above the rounding of another driver, and below the least of the seeded defects, which
     /// `seeded_defects.rs` holds it to.
-    pub const KEPT: Self = Self { mean: 0.004, p99: 0.05 };
+    pub const KEPT: Self = Self { mean: 0.002, p99: 0.009 };
 }
 
 /// How far it is.

@@ -1,4 +1,5 @@
 //! The promises of the command line: exit codes, messages, figures, and nothing half-written.
+#![allow(clippy::unwrap_used, reason = "a test may panic")]
 
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
@@ -17,10 +18,10 @@ fn pelage(arguments: &[&str]) -> Command {
 
 /// Runs, and gives exit code, standard output and standard error.
 fn run(arguments: &[&str]) -> (i32, String, String) {
-    said(pelage(arguments).output().unwrap())
+    said(&pelage(arguments).output().unwrap())
 }
 
-fn said(output: Output) -> (i32, String, String) {
+fn said(output: &Output) -> (i32, String, String) {
     let text = |bytes: &[u8]| String::from_utf8_lossy(bytes).into_owned();
     (output.status.code().unwrap(), text(&output.stdout), text(&output.stderr))
 }
@@ -159,7 +160,7 @@ fn a_path_given_here_is_relative_to_here() {
     let (_folder, _, out) = folder();
     let small = ["--set", "picture.size=(32, 24)", "--set", "shells.layers=2", "--set", "shells.resolution=16"];
     let mut command = pelage(&[&["render", "../bunny.ron", "-o", &out, "--set", "bunny.path=bunny.obj"], &small[..]].concat());
-    let (code, _, error) = said(command.current_dir(root().join("graphs/models")).output().unwrap());
+    let (code, _, error) = said(&command.current_dir(root().join("graphs/models")).output().unwrap());
     assert_eq!(code, 0, "{error}");
     let (code, _, error) = run(&["render", "graphs/bunny.ron", "-o", &out, "--set", "bunny.path=no-such.obj"]);
     assert_eq!(code, 1);
@@ -178,7 +179,7 @@ fn no_adapter_is_3_and_says_what_to_install() {
     let (_folder, graph, out) = folder();
     let mut command = pelage(&["render", &graph, "-o", &out]);
     command.env("VK_DRIVER_FILES", "none").env("VK_ICD_FILENAMES", "none").env("WGPU_BACKEND", "vulkan");
-    let (code, _, error) = said(command.output().unwrap());
+    let (code, _, error) = said(&command.output().unwrap());
     assert_eq!(code, 3, "{error}");
     assert!(error.contains("mesa-vulkan-drivers"), "{error}");
 }

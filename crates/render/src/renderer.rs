@@ -38,6 +38,8 @@ pub struct PreparedView {
 
 impl Renderer {
     /// A renderer for passes with this kind of target.
+    ///
+    /// The device must allow four storage buffers in the vertex stage, as wgpu's default limits do; no features are needed.
     pub fn new(device: &Device, queue: &Queue, target: Target) -> Self {
         Self {
             target,

@@ -124,7 +124,8 @@ pub struct Options {
     pub step_blur: f32,
     /// Where lighting is evaluated.
     pub lighting: LightingMode,
-    /// How many times finer than its short side a slanted footprint is filtered; 1 (off) to 16. Costs up to as many fetches.
+    /// How many times finer than its short side a slanted footprint is filtered; 1 (off) to 16. Costs up to as many fetches;
+    /// with 4, lavapipe took 3.4 times as long for a frame of one sample a pixel, and with four samples 70 times.
     pub anisotropy: u16,
 }
 

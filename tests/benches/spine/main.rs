@@ -74,7 +74,9 @@ fn bench(headless: &Headless, coat: &Coat, view: &View, samples: u32, rounds: us
         ("anisotropy 4", Options { anisotropy: 4, ..defaults }),
     ];
     let prepare = |options| prepare(headless, &renderer, &gpu_coat, &View { options, ..view.clone() });
-    let prepared: Vec<(&str, PreparedView)> = variants.iter().map(|&(name, options)| (name, prepare(options))).collect();
+    // A software adapter takes seconds for anisotropic filtering with four samples.
+    let variants = variants.iter().filter(|(_, options)| samples == 1 || options.anisotropy == 1);
+    let prepared: Vec<(&str, PreparedView)> = variants.map(|&(name, options)| (name, prepare(options))).collect();
     let stage = Stage::new(device, target);
     let floors = [(true, "floor: same draw"), (false, "floor: same draw, depth only tested")]
         .map(|(written, name)| (name, Floor::new(device, queue, target, coat, view, written)));
