@@ -4,7 +4,7 @@ use std::path::Path;
 use std::sync::{Arc, OnceLock};
 
 use pelage_coat::{Background, Coat, Light};
-use pelage_graph::{Colour, Evaluation, Graph, Request, TraceEntry};
+use pelage_graph::{Colour, Evaluation, Evaluator, Graph, Request, TraceEntry};
 use pelage_lighting::Shading;
 use pelage_mesh::Mesh;
 use pelage_nodes::{Framing, Gpu, Picture};
@@ -55,6 +55,14 @@ impl Scene {
     /// # Errors
     /// Faults of the graph, or failures of its nodes.
     pub fn evaluate(name: &str, overrides: &[(&str, &str)]) -> Result<Self, Error> {
+        Self::evaluate_with(&mut pelage_nodes::evaluator(1 << 30), name, overrides)
+    }
+
+    /// The same with an engine whose cache has what earlier scenes made.
+    ///
+    /// # Errors
+    /// Faults of the graph, or failures of its nodes.
+    pub fn evaluate_with(evaluator: &mut Evaluator, name: &str, overrides: &[(&str, &str)]) -> Result<Self, Error> {
         let registry = pelage_nodes::registry();
         let mut graph = Graph::read(&repository().join(format!("graphs/{name}.ron")))?;
         for (input, value) in overrides {
@@ -62,7 +70,7 @@ impl Scene {
         }
         let output = graph.output.clone().ok_or("the graph has no main output")?;
         let checked = graph.check(&registry)?;
-        let evaluation = pelage_nodes::evaluator(1 << 30).run(&checked, &Request::main())?;
+        let evaluation = evaluator.run(&checked, &Request::main())?;
         Ok(Self { evaluation, output })
     }
 

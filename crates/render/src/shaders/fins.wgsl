@@ -2,9 +2,10 @@
 
 struct FinVertex {
     @builtin(position) position: vec4f,
-    @location(0) fin: vec4f,      // along the texture, height, growth, opacity
-    @location(1) ambient: vec3f,  // the light without what dies away with depth, which is not linear along the hair
-    @location(2) direct: vec4f,   // likewise, and the optical depth of the whole length towards the light
+    // Centroid: a fin a fraction of a pixel high would else be lit by what lies far outside of it.
+    @location(0) @interpolate(perspective, centroid) fin: vec4f,      // along the texture, height, growth, opacity
+    @location(1) @interpolate(perspective, centroid) ambient: vec3f,  // the light without what dies away with depth, which is not linear along the hair
+    @location(2) @interpolate(perspective, centroid) direct: vec4f,   // likewise, and the optical depth of the whole length towards the light
 };
 
 fn fin_opacity(a: vec3f, b: vec3f, offset: vec3f, normal_a: vec3f, normal_b: vec3f, curvature: f32) -> f32 {

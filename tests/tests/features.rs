@@ -1,0 +1,46 @@
+//! Each feature of the sources that a saved graph uses is seen in its picture: with the feature changed or switched off, the golden notices.
+#![allow(clippy::print_stdout, reason = "the distance that each feature makes")]
+
+use pelage_tests::{Bounds, Error, Golden, Scene};
+
+/// The feature's id in the design, the graph that uses it, and what takes it away.
+const FEATURES: &[(&str, &str, &str, &str)] = &[
+    ("L2 directions from a few constraints", "ring", "combed.constraints", "[]"),
+    ("L2 one direction for the whole surface", "bunny", "combed.toward", "(-1.0, 0.7, 0.15)"),
+    ("L3 patches from random places", "die", "patches.seed", "2"),
+    ("L4 patches larger than the tile", "meadow", "patches.patch_extent", "0.4"),
+    ("L7 hair grown with a style", "ring", "hair.style", "Straight"),
+    ("L7 sparse and dense", "ball", "hair.count", "900"),
+    ("L8 shell layers", "die", "shells.softness", "4.0"),
+    ("L9 fin from a slab", "ball", "fin.slab_width", "0.9"),
+    ("L9 random intervals", "ball", "coat.seed", "2"),
+    ("L10 opaque surface first", "meadow", "picture.surface", "false"),
+    ("L11 fins", "ring", "picture.fins", "false"),
+    ("L12 shells", "die", "picture.shells", "false"),
+    ("L13 diffuse", "bunny", "shading.diffuse_power", "4.0"),
+    ("L13 specular", "bunny", "shading.specular", "(0.0, 0.0, 0.0)"),
+    ("L13 self-shadow", "die", "shading.shadow", "0.0"),
+    ("L13 facing term", "die", "shading.facing", "0.0"),
+    ("L17 offsets in the vertex shader", "die", "picture.length_scale", "0.5"),
+    ("L18 colour as a field", "bunny", "colours.to", "(1.0, 0.97, 0.93)"),
+    ("L18 colour by texture, N5 length in its alpha", "meadow", "map.path", "graphs/images/plain.png"),
+    ("L19 local length", "ball", "lengths.from", "0.6"),
+    ("L20 global slant", "bunny", "coat.slant", "0.0"),
+    ("N3 number of shells", "die", "picture.shell_count", "16"),
+    ("N8 depth written or not", "ball", "picture.depth", "Written"),
+];
+
+#[test]
+fn each_feature_is_seen() -> Result<(), Error> {
+    let mut evaluator = pelage_nodes::evaluator(1 << 30);
+    let mut unseen = Vec::new();
+    for (feature, graph, input, value) in FEATURES {
+        let picture = Scene::evaluate_with(&mut evaluator, graph, &[(input, value)])?.picture()?;
+        let comparison = Golden::read(graph)?.compare(&picture)?;
+        println!("{feature}: FLIP mean {:.4}, 99th percentile {:.4}", comparison.mean, comparison.p99);
+        if comparison.within(Bounds::KEPT) {
+            unseen.push(*feature);
+        }
+    }
+    if unseen.is_empty() { Ok(()) } else { Err(format!("not seen: {unseen:?}").into()) }
+}
