@@ -101,7 +101,7 @@ impl Scene {
         self.only("coat")
     }
 
-    /// What its picture was drawn with, where the node that draws has its defaults: a test that leans on this first shows that the parts
+    /// What the bunny's picture was drawn with: all defaults but for the step blur. A test that leans on this first shows that the parts
     /// make the graph's own picture.
     ///
     /// # Errors
@@ -113,7 +113,7 @@ impl Scene {
             camera: self.only::<Framing>("camera")?.camera(coat.bounds(), aspect),
             light: *self.only::<Light>("light")?,
             shading: *self.only::<Shading>("shading")?,
-            options: Options::default(),
+            options: Options { step_blur: 0.8, ..Options::default() },
         };
         let grey = |top: [f64; 3]| glam::DVec3::from(Colour(top).to_linear()).as_vec3();
         Ok((view, Background { top: grey([0.82, 0.84, 0.86]), bottom: grey([0.62, 0.62, 0.63]) }))

@@ -6,6 +6,7 @@ use clap::Args;
 
 use crate::failure::Failure;
 use crate::graph::Overrides;
+use crate::output::print;
 
 #[derive(Args)]
 pub(crate) struct Check {
@@ -31,6 +32,10 @@ impl Check {
                 Err(other) => return Err(other),
             }
         }
-        if faults.is_empty() { Ok(()) } else { Err(Failure::Input(faults.join("\n"))) }
+        if !faults.is_empty() {
+            return Err(Failure::Input(faults.join("\n")));
+        }
+        let count = self.graphs.len();
+        print(&format!("{count} graph{}, no faults\n", if count == 1 { "" } else { "s" }))
     }
 }

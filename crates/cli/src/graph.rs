@@ -27,7 +27,7 @@ impl Overrides {
             let Some((target, value)) = assignment.split_once('=') else {
                 return Err(Failure::Usage(format!("--set {assignment}: expected NODE.INPUT=VALUE")));
             };
-            graph.set(registry, target, value, &here).map_err(|error| Failure::input(format!("--set {assignment}"), &error))?;
+            graph.set(registry, target, value, &here).map_err(|error| Failure::Input(format!("--set {error}")))?;
         }
         Ok(graph)
     }

@@ -52,6 +52,8 @@ fn as_json(summary: &Summary) -> serde_json::Value {
     json!({
         "vertices": summary.vertices, "unreferenced_vertices": summary.unreferenced_vertices, "edges": summary.edges, "faces": summary.faces,
         "boundary_loops": summary.boundary_loops, "components": summary.components, "euler_characteristic": summary.euler_characteristic,
-        "genus": summary.genus, "area": summary.area, "diameter": summary.diameter,
+        "genus": summary.genus, "boundary_edges": summary.boundary_edges,
+        "area": summary.area, "diameter": summary.diameter,
+        "quality": { "faces_without_area": summary.faces_without_area, "mean_edge_length": summary.mean_edge_length },
     })
 }

@@ -14,7 +14,18 @@ pub(crate) fn print(text: &str) -> Result<(), Failure> {
 }
 
 /// Writes a file under a temporary name beside it and renames it, so that a failure leaves what was there before.
+///
+/// A link is followed, and what is no regular file (a pipe, a device) is written to: neither is replaced.
 pub(crate) fn write_file(path: &Path, bytes: &[u8]) -> Result<(), Failure> {
+    let target = path.canonicalize().unwrap_or_else(|_| path.to_path_buf());
+    let special = target.metadata().is_ok_and(|metadata| !metadata.is_file() && !metadata.is_dir());
+    if special {
+        return std::fs::write(&target, bytes).map_err(|error| Failure::input(path.display(), &error));
+    }
+    replace_file(&target, bytes)
+}
+
+fn replace_file(path: &Path, bytes: &[u8]) -> Result<(), Failure> {
     let folder = match path.parent() {
         Some(folder) if !folder.as_os_str().is_empty() => folder,
         _ => Path::new("."),

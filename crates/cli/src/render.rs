@@ -52,6 +52,7 @@ pub(crate) struct Render {
 
 impl Render {
     pub(crate) fn run(&self) -> Result<(), Failure> {
+        self.check_files()?;
         if let Some(threads) = self.threads {
             // Fails only where a pool exists already, and none does this early.
             let _ = rayon::ThreadPoolBuilder::new().num_threads(threads.into()).build_global();
@@ -63,6 +64,9 @@ impl Render {
         let checked = graph.check(&registry).map_err(|faults| faults.with_path(&self.graph))?;
         let progress = Arc::new(Progress::new(self.quiet, self.verbose));
         let mut evaluator = pelage_nodes::evaluator(CACHE_BYTES);
+        if self.stats.is_some() && !makes_pictures(&registry, &graph, &output) {
+            return Err(Failure::Input(format!("--stats: {output} is no picture; ask for an output of a RenderImage node")));
+        }
         let frame = format!("{}.frame", node_of(&output));
         let mut request = Request::output(&output).with_observer(progress.clone());
         if self.stats.is_some() {
@@ -79,6 +83,18 @@ impl Render {
             }
             None => Ok(()),
         }
+    }
+
+    /// Files that can't be what they are asked to be.
+    fn check_files(&self) -> Result<(), Failure> {
+        let extension = self.out.extension().map(|extension| extension.to_string_lossy().to_ascii_lowercase());
+        if extension.as_deref().is_some_and(|extension| extension != "png") {
+            return Err(Failure::Usage(format!("-o {}: pictures are PNG; name it so", self.out.display())));
+        }
+        if self.stats.as_ref() == Some(&self.out) {
+            return Err(Failure::Usage(format!("-o and --stats are both {}; give each a file of its own", self.out.display())));
+        }
+        Ok(())
     }
 
     /// What is asked for: `--output`, or the graph's own main output.
@@ -98,7 +114,7 @@ impl Render {
         let repeat = self.repeat.map(|frames| ("repeat", frames.to_string()));
         for (input, value) in size.into_iter().chain(repeat) {
             let target = format!("{node}.{input}");
-            graph.set(registry, &target, &value, ".".as_ref()).map_err(|error| Failure::input(format!("--{input}"), &error))?;
+            graph.set(registry, &target, &value, ".".as_ref()).map_err(|error| Failure::Input(format!("--{input}: {error}")))?;
         }
         Ok(())
     }
@@ -110,6 +126,13 @@ impl Render {
         stats.insert("image_hash", json!(blake3::hash(&picture.rgba).to_hex().as_str()));
         stats
     }
+}
+
+/// Whether the node of an output draws, so that there is a frame to report on.
+fn makes_pictures(registry: &Registry, graph: &Graph, output: &str) -> bool {
+    let kind = graph.nodes.iter().find(|(id, _)| id.as_str() == node_of(output)).map(|(_, node)| node.kind.as_str());
+    let specification = kind.and_then(|kind| registry.specification(kind));
+    specification.is_some_and(|specification| specification.outputs.iter().any(|port| port.name == "frame"))
 }
 
 /// The node of a `NODE.PORT`.

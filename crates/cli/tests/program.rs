@@ -88,6 +88,7 @@ fn render_writes_the_picture_and_the_figures_that_were_promised() {
     ] {
         assert!(stats.pointer(key).is_some_and(|value| !value.is_null()), "{key} is missing in {stats:#}");
     }
+    assert_eq!(stats.pointer("/patches/misalignment_deg_mean"), None, "a key that does not apply is absent");
     assert_eq!(stats.pointer("/model/faces"), Some(&Value::from(320)));
     assert_eq!(stats.pointer("/patches/faces_covered"), Some(&Value::from(320)));
     assert_eq!(stats.pointer("/patches/faces_flipped"), Some(&Value::from(0)));
@@ -143,6 +144,7 @@ fn overrides_say_what_is_wrong_with_them() {
     let (_folder, graph, out) = folder();
     for (set, code, expected) in [
         ("nonsense", 2, "NODE.INPUT=VALUE"),
+        ("ball.subdivisions=0", 1, "600"),
         ("bal.subdivisions=2", 1, "ball"),
         ("ball.subdivision=2", 1, "subdivisions"),
         ("ball.subdivisions=999", 1, "600"),
@@ -165,6 +167,28 @@ fn a_path_given_here_is_relative_to_here() {
     let (code, _, error) = run(&["render", "graphs/bunny.ron", "-o", &out, "--set", "bunny.path=no-such.obj"]);
     assert_eq!(code, 1);
     assert!(error.contains("no-such.obj") && error.contains("bunny"), "{error}");
+}
+
+#[cfg(unix)]
+#[test]
+fn a_link_is_followed_and_not_replaced() {
+    let (folder, graph, out) = folder();
+    let link = folder.path().join("link.png");
+    std::os::unix::fs::symlink(&out, &link).unwrap();
+    std::fs::write(&out, "before").unwrap();
+    assert_eq!(run(&["render", &graph, "-o", link.to_str().unwrap()]).0, 0);
+    assert!(link.symlink_metadata().unwrap().is_symlink());
+    assert!(image::open(&out).is_ok());
+}
+
+#[test]
+fn files_that_cannot_be_what_they_are_asked_to_be_are_refused() {
+    let (_folder, graph, out) = folder();
+    assert_eq!(run(&["render", &graph, "-o", "x.jpg"]).0, 2);
+    assert_eq!(run(&["render", &graph, "-o", &out, "--stats", &out]).0, 2);
+    let (code, _, error) = run(&["render", &graph, "-o", &out, "--output", "coat.fur", "--stats", "x.json"]);
+    assert_eq!(code, 1);
+    assert!(error.contains("no picture"), "{error}");
 }
 
 #[test]

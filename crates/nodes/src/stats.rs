@@ -96,12 +96,17 @@ fn model(summary: &Summary) -> Value {
 
 fn patches(mesh: &Mesh, tiling: &PatchTiling, directions: Option<&DirectionField>) -> Value {
     let quality = tiling.quality(mesh, directions);
-    json!({
+    let mut patches = json!({
         "count": quality.patch_count, "faces_covered": quality.faces_covered, "faces_flipped": quality.faces_flipped, "discs": quality.all_discs,
         "faces_per_patch_p50": quality.faces_per_patch_p50, "stretch_p50": quality.stretch_p50, "stretch_p99": quality.stretch_p99,
-        "misalignment_deg_mean": quality.misalignment_deg_mean, "seam_length": quality.seam_length,
+        "seam_length": quality.seam_length,
         "tile_repeats_p50": quality.tile_repeats_p50, "tile_repeats_max": quality.tile_repeats_max,
-    })
+    });
+    // A key that does not apply is absent.
+    if let Some(degrees) = quality.misalignment_deg_mean {
+        patches["misalignment_deg_mean"] = json!(degrees);
+    }
+    patches
 }
 
 #[cfg(feature = "gpu")]

@@ -20,7 +20,9 @@ pub(crate) fn run(place: &Place, arguments: &[String]) -> Result<()> {
     println!("building the program (release)…");
     let start = Instant::now();
     let manifest = place.at("Cargo.toml");
-    let cargo = |verb: &str| CommandLine::cargo().with([verb, "--release", "--package", "pelage-cli", "--manifest-path"]).with([&manifest]);
+    let cargo = |verb: &str| {
+        CommandLine::cargo().with([verb, "--release", "--locked", "--package", "pelage-cli", "--manifest-path"]).with([&manifest])
+    };
     cargo("build").run()?;
     let built = start.elapsed();
 
@@ -48,10 +50,11 @@ fn default_picture(place: &Place, arguments: &[String]) -> Result<(PathBuf, Vec<
     Ok((picture, with_picture))
 }
 
-/// The picture that `-o FILE`, `-oFILE` or `-o=FILE` asks for, if any.
+/// The picture that `-o FILE`, `-oFILE`, `-o=FILE`, `--out FILE` or `--out=FILE` asks for, if any.
 fn picture_among(arguments: &[String]) -> Option<PathBuf> {
-    let place = arguments.iter().position(|argument| argument.starts_with("-o"))?;
-    let attached = arguments[place].trim_start_matches("-o").trim_start_matches('=');
+    let place =
+        arguments.iter().position(|argument| argument.starts_with("-o") || argument == "--out" || argument.starts_with("--out="))?;
+    let attached = arguments[place].trim_start_matches("--out").trim_start_matches("-o").trim_start_matches('=');
     let file = if attached.is_empty() { arguments.get(place + 1)? } else { attached };
     Some(Path::new(file).to_owned())
 }
@@ -66,7 +69,7 @@ mod tests {
 
     #[test]
     fn the_picture_asked_for_is_found() {
-        for arguments in [&["-q", "-o", "a/b.png"][..], &["-oa/b.png"], &["-o=a/b.png", "-q"]] {
+        for arguments in [&["-q", "-o", "a/b.png"][..], &["-oa/b.png"], &["-o=a/b.png", "-q"], &["--out", "a/b.png"], &["--out=a/b.png"]] {
             assert_eq!(among(arguments), Some("a/b.png".into()), "{arguments:?}");
         }
         for arguments in [&["--set", "bunny.path=x.obj"][..], &[], &["--output", "picture.image"], &["-o"]] {
