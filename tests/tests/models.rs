@@ -45,7 +45,7 @@ fn furred(evaluator: &mut Evaluator, model: &str) -> Result<(), Error> {
     )?
     .picture()?;
     let (covered, bare) = (covered(&picture), covered(&bald));
-    if covered < 0.03 || covered > 0.95 || covered < 1.03 * bare {
+    if !(0.03..=0.95).contains(&covered) || covered < 1.03 * bare {
         return Err(format!("{:.1} % of the picture is covered, {:.1} % by skin alone", 100.0 * covered, 100.0 * bare).into());
     }
     Ok(())
