@@ -20,8 +20,9 @@ fn background_vertex(@builtin(vertex_index) corner: u32) -> Corner {
 
 @fragment
 fn background_fragment(in: Corner) -> @location(0) vec4f {
-    // Half a step of eight bits either way, by a hash of the pixel (Jimenez 2014), or a ramp this slow shows its bands. sRGB's slope is about
-    // ½ where backgrounds lie.
+    // Half a step of eight bits either way, by a hash of the pixel (Jimenez 2014), or a ramp this slow shows its bands. Steps are even in the
+    // encoded value, which a power follows closely enough.
     let noise = fract(52.9829189 * fract(dot(floor(in.position.xy), vec2f(0.06711056, 0.00583715)))) - 0.5;
-    return vec4f(mix(ramp.bottom.rgb, ramp.top.rgb, in.height) + noise * (1.6 / 255.0), 0.0);
+    let encoded = pow(mix(ramp.bottom.rgb, ramp.top.rgb, in.height), vec3f(1.0 / 2.2)) + noise * (0.9 / 255.0);
+    return vec4f(pow(max(encoded, vec3f(0.0)), vec3f(2.2)), 0.0);
 }
