@@ -7,6 +7,7 @@ use std::sync::Arc;
 use crate::graph::NodeId;
 use crate::key::Key;
 use crate::node::NodeError;
+use crate::spec::PortType;
 use crate::value::Value;
 
 /// Why a run gave nothing.
@@ -116,7 +117,7 @@ impl Evaluation {
         };
         value.downcast().ok_or_else(|| EvaluateError::WrongType {
             output: output.to_owned(),
-            expected: std::any::type_name::<T>().to_owned(),
+            expected: PortType::of::<T>().name,
             found: value.type_name().to_owned(),
         })
     }

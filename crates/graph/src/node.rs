@@ -7,6 +7,7 @@ use crate::conform::conform;
 use crate::context::Context;
 use crate::literal::Literal;
 use crate::param::Param;
+use crate::spec::PortType;
 use crate::spec::{ParamSpec, Specification};
 use crate::value::Value;
 
@@ -155,7 +156,7 @@ impl Fields<'_> {
 
     fn cast<T: Send + Sync + 'static>(name: &str, value: &Value) -> Result<Arc<T>, NodeError> {
         value.downcast::<T>().ok_or_else(|| {
-            let (expected, found) = (std::any::type_name::<T>().to_owned(), value.type_name().to_owned());
+            let (expected, found) = (PortType::of::<T>().name, value.type_name().to_owned());
             FieldError::WrongInput { field: name.to_owned(), expected, found }.into()
         })
     }

@@ -31,7 +31,7 @@ fn graph() -> Graph {
 }
 
 fn set(graph: &mut Graph, target: &str, value: &str) -> Result<(), String> {
-    graph.set(&registry(), target, value, Path::new("/work")).map_err(|error| error.to_string())
+    graph.set(&registry(), target, value, Path::new("/elsewhere")).map_err(|error| error.to_string())
 }
 
 /// The field of a node, as it is written.
@@ -65,7 +65,7 @@ fn a_setting_is_ron_or_a_bare_word() {
         ("styled.name", "Link(\"read.text\")", "Link(\"read.text\")"),
         ("styled.limit", "5", "5"),
         ("styled.limit", "None", "None"),
-        ("read.path", "models/b.txt", "\"/work/models/b.txt\""),
+        ("read.path", "models/b.txt", "\"/elsewhere/models/b.txt\""),
         ("read.path", "/else/b.txt", "\"/else/b.txt\""),
         ("joined.parts", "[\"styled.text\"]", "[\"styled.text\"]"),
     ] {
