@@ -17,12 +17,20 @@ fn step_blur(clip: vec4f, offset: vec3f) -> f32 {
     return clamp(log2(max(length(step), 1.0)), 0.0, frame.screen.z);
 }
 
+// At a slant a texel's footprint is long and thin, and the sampler takes its level from the long side: all detail across is lost. The mean of
+// the two sides' levels keeps strands apart, and what aliases along is averaged by the layers. Half the logarithm of the sides' ratio, N·V, to two
+// levels' worth.
+fn slant_sharpening(normal: vec3f, toward_eye: vec3f) -> f32 {
+    return 0.5 * log2(clamp(dot(normal, toward_eye), 0.25, 1.0));
+}
+
 @vertex
 fn shell_vertex(@location(0) index: u32, @location(1) tile: vec2f, @builtin(instance_index) layer: u32) -> ShellVertex {
     let v = vertex_at(index);
     let height = f32(layer) * frame.fur.y;
     let place = v.position + v.offset * height;
-    let half = half_vector(normalize(frame.eye.xyz - place));
+    let toward_eye = normalize(frame.eye.xyz - place);
+    let half = half_vector(toward_eye);
     let cosines = vec2f(dot(v.direction, frame.light.xyz), dot(v.direction, half.xyz));
     var ambient = v.colour * ambient_light(v.normal, 1.0 - height);
     let direct = v.colour * direct_light(dot(v.normal, frame.light.xyz), 1.0 - height);
@@ -32,7 +40,7 @@ fn shell_vertex(@location(0) index: u32, @location(1) tile: vec2f, @builtin(inst
     let clip = frame.clip_from_coat * vec4f(place, 1.0);
     return ShellVertex(
         clip, vec4f(tile, growth_of(v.offset), half.w),
-        vec4f(ambient, cosines.x), vec4f(direct, cosines.y), layer, step_blur(clip, v.offset));
+        vec4f(ambient, cosines.x), vec4f(direct, cosines.y), layer, step_blur(clip, v.offset) + slant_sharpening(v.normal, toward_eye));
 }
 
 fn shell_colour(in: ShellVertex) -> vec4f {
