@@ -3,7 +3,7 @@
 use std::path::PathBuf;
 
 use image::{ImageBuffer, Rgb, RgbImage};
-use pelage_accuracy::{DEFAULT_PIXELS_PER_DEGREE, Image, flip, heat_picture};
+use pelage_accuracy::{DEFAULT_PIXELS_PER_DEGREE, FlipReport, Image, flip, heat_picture};
 use pelage_nodes::Picture;
 
 use crate::{Error, repository};
@@ -33,6 +33,10 @@ pub struct Comparison {
 }
 
 impl Comparison {
+    fn of(report: &FlipReport) -> Self {
+        Self { mean: report.mean, p99: report.p99 }
+    }
+
     /// Whether it keeps both bounds.
     pub fn within(&self, bounds: Bounds) -> bool {
         self.mean <= bounds.mean && self.p99 <= bounds.p99
@@ -66,6 +70,17 @@ impl Golden {
         Ok(Self { name: name.into(), picture: picture.into_rgb8() })
     }
 
+    /// Keeps a picture as a graph's golden.
+    ///
+    /// # Errors
+    /// Where it cannot be written.
+    pub fn keep(name: &str, picture: &Picture) -> Result<PathBuf, Error> {
+        let path = Self::path(name);
+        std::fs::create_dir_all(repository().join("tests/goldens"))?;
+        save(&path, picture, opaque(picture))?;
+        Ok(path)
+    }
+
     /// Compares over the pixels that either picture covers with skin or fur: the golden's are not kept, so those that differ from the
     /// test's background count by the test's coverage and the golden's difference alike.
     ///
@@ -73,8 +88,7 @@ impl Golden {
     /// Where sizes differ.
     pub fn compare(&self, picture: &Picture) -> Result<Comparison, Error> {
         let rgb = opaque(picture);
-        let (report, _) = self.flip(picture, &rgb)?;
-        Ok(report)
+        Ok(Comparison::of(&self.flip(picture, &rgb)?.0))
     }
 
     /// Compares; where a bound is passed, writes the picture and the difference beside the golden and says so.
@@ -83,13 +97,14 @@ impl Golden {
     /// Where sizes differ, or a bound is passed.
     pub fn expect(&self, picture: &Picture, bounds: Bounds) -> Result<Comparison, Error> {
         let rgb = opaque(picture);
-        let (comparison, heat) = self.flip(picture, &rgb)?;
+        let (report, mask) = self.flip(picture, &rgb)?;
+        let comparison = Comparison::of(&report);
         if comparison.within(bounds) {
             return Ok(comparison);
         }
         let beside = |suffix: &str| Self::path(&format!("{}-{suffix}", self.name));
         save(&beside("actual"), picture, rgb)?;
-        save(&beside("difference"), picture, heat)?;
+        save(&beside("difference"), picture, heat_picture(&report.map, Some(&mask))?)?;
         Err(format!(
             "{}: FLIP mean {:.5}, 99th percentile {:.5}, past {bounds:?}; see {}",
             self.name,
@@ -100,13 +115,12 @@ impl Golden {
         .into())
     }
 
-    fn flip(&self, picture: &Picture, rgb: &[u8]) -> Result<(Comparison, Vec<u8>), Error> {
+    /// FLIP over the furred area, and that area.
+    fn flip(&self, picture: &Picture, rgb: &[u8]) -> Result<(FlipReport, Vec<u8>), Error> {
         let reference = Image::new(self.picture.width(), self.picture.height(), self.picture.as_raw())?;
         let test = Image::new(picture.width, picture.height, rgb)?;
         let mask = furred(self.picture.as_raw(), rgb, &picture.coverage);
-        let report = flip(reference, test, Some(&mask), DEFAULT_PIXELS_PER_DEGREE)?;
-        let heat = heat_picture(&report.map, Some(&mask))?;
-        Ok((Comparison { mean: report.mean, p99: report.p99 }, heat))
+        Ok((flip(reference, test, Some(&mask), DEFAULT_PIXELS_PER_DEGREE)?, mask))
     }
 }
 
@@ -127,17 +141,4 @@ fn save(path: &std::path::Path, picture: &Picture, rgb: Vec<u8>) -> Result<(), E
     let image: ImageBuffer<Rgb<u8>, _> =
         ImageBuffer::from_raw(picture.width, picture.height, rgb).ok_or("the pixels do not fill the picture")?;
     Ok(image.save(path)?)
-}
-
-impl Golden {
-    /// Keeps a picture as a graph's golden.
-    ///
-    /// # Errors
-    /// Where it cannot be written.
-    pub fn keep(name: &str, picture: &Picture) -> Result<PathBuf, Error> {
-        let path = Self::path(name);
-        std::fs::create_dir_all(repository().join("tests/goldens"))?;
-        save(&path, picture, opaque(picture))?;
-        Ok(path)
-    }
 }
