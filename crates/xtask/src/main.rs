@@ -14,6 +14,8 @@ mod book;
 mod demo;
 mod failure;
 #[cfg(feature = "checks")]
+mod figures;
+#[cfg(feature = "checks")]
 mod layering;
 #[cfg(feature = "checks")]
 mod licences;

@@ -7,6 +7,7 @@ use clap::ValueEnum;
 
 use crate::book;
 use crate::failure::{Failure, Result};
+use crate::figures;
 use crate::layering;
 use crate::licences;
 use crate::place::Place;
@@ -31,6 +32,8 @@ pub(crate) enum StepName {
     Docs,
     /// Pages, links, pictures, node reference.
     Book,
+    /// Speeds beside their floors, errors beside what they are of.
+    Figures,
     /// Unit, property, integration and documentation tests.
     Tests,
 }
@@ -46,6 +49,7 @@ impl StepName {
             Self::Clippy => "no panic, no printing in libraries, no needless clone; with and without drawing, with and without checks",
             Self::Docs => "every public item is documented and every link in it leads somewhere",
             Self::Book => "every page is in the contents, every link and picture exists, the node reference is of today",
+            Self::Figures => "what is claimed of speed and error is printed beside its floor, measured in the same run",
             Self::Tests => "it does what it says: units, properties, examples of the documentation, saved graphs and their pictures",
         }
     }
@@ -70,6 +74,7 @@ impl StepName {
             }
             Self::Docs => cargo("doc --workspace --no-deps --locked").with_variable("RUSTDOCFLAGS", "-D warnings").run()?,
             Self::Book => book::verify(place)?,
+            Self::Figures => figures::print(place)?,
             // Without a choice of targets cargo also builds every example, which a broken one fails.
             Self::Tests => {
                 let tests = cargo("test --workspace --features pelage-xtask/checks --locked");
@@ -127,7 +132,7 @@ mod tests {
     #[test]
     fn all_steps_run_by_default_and_the_tests_last() {
         let all = chosen(&[]);
-        assert_eq!(all.len(), 8);
+        assert_eq!(all.len(), 9);
         assert_eq!(all.first(), Some(&StepName::Vulkan));
         assert_eq!(all.last(), Some(&StepName::Tests));
     }

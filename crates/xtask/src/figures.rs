@@ -1,0 +1,71 @@
+//! The figures: what is measured and printed beside its floor, and asserted nowhere, since machines are noisy and limits of time are not tests.
+//!
+//! Limits that do not depend on the machine are tests; those of speed are ratios to a floor of the same run, for a person to read.
+
+use crate::failure::Result;
+use crate::place::Place;
+use crate::process::CommandLine;
+
+/// A program that prints figures.
+struct Figure {
+    /// What it measures, beside what.
+    what: &'static str,
+    /// What cargo is told.
+    cargo: &'static str,
+}
+
+/// In the order in which data flows.
+const FIGURES: &[Figure] = &[
+    Figure {
+        what: "half-edges beside a sort of the same keys, import beside the parser alone",
+        cargo: "bench -p pelage-mesh --bench build",
+    },
+    Figure { what: "direction fields from 5,000 to 1,000,000 faces", cargo: "bench -p pelage-field --bench direction" },
+    Figure { what: "patches from 1,000 to 1,000,000 faces, and the 5,000-face bunny", cargo: "bench -p pelage-patch --bench grow" },
+    Figure { what: "strands grown a second", cargo: "bench -p pelage-strand --bench grow" },
+    Figure { what: "strands sampled a second, and the cost of a pair of piece and texel", cargo: "bench -p pelage-volume --bench sample" },
+    Figure {
+        what: "the error of each layer against many samples, mips, transmittance over the layer count",
+        cargo: "run --release -p pelage-volume --example coverage_error",
+    },
+    Figure { what: "lighting tables: sizes, indexings, errors", cargo: "run --release -p pelage-lighting --example table_error" },
+    Figure { what: "lighting by formula and by table", cargo: "bench -p pelage-lighting --bench lighting" },
+    Figure { what: "the graph engine: parsing, checking, running, saving", cargo: "bench -p pelage-graph --bench graph" },
+];
+
+/// Prints every figure. Fails only where a program does.
+pub(crate) fn print(place: &Place) -> Result<()> {
+    FIGURES.iter().try_for_each(|figure| {
+        println!("\n{}", figure.what);
+        command(place, figure).run()
+    })
+}
+
+fn command(place: &Place, figure: &Figure) -> CommandLine {
+    CommandLine::cargo().with(figure.cargo.split_whitespace()).with(["--quiet", "--locked"]).within(place.root())
+}
+
+#[cfg(test)]
+mod tests {
+    use std::collections::BTreeSet;
+
+    use cargo_metadata::MetadataCommand;
+
+    use super::*;
+
+    /// Those that measure pictures: they need a graphics adapter and minutes, and are printed by hand.
+    const OF_PICTURES: &[&str] = &["bench -p pelage-accuracy --bench compare", "bench -p pelage-tests --bench spine"];
+
+    #[test]
+    fn every_benchmark_of_the_workspace_is_printed_or_named_as_left_out() {
+        let metadata = MetadataCommand::new().manifest_path(Place::find().unwrap().at("Cargo.toml")).no_deps().exec().unwrap();
+        let benches = metadata.packages.iter().flat_map(|package| {
+            let benches = package.targets.iter().filter(|target| target.is_bench());
+            benches.map(move |bench| format!("bench -p {} --bench {}", package.name, bench.name))
+        });
+        let there: BTreeSet<String> = benches.collect();
+        let printed =
+            FIGURES.iter().map(|figure| figure.cargo).chain(OF_PICTURES.iter().copied()).filter(|line| line.starts_with("bench "));
+        assert_eq!(there, printed.map(str::to_owned).collect());
+    }
+}
