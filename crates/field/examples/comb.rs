@@ -28,7 +28,7 @@ fn report(name: &str, mesh: &Mesh, field: &DirectionField) -> Result<(), Box<dyn
     let sum: i32 = found.iter().map(|s| s.index).sum();
     println!("{name}: {} singularities, their indices add up to {sum} (χ = {})", found.len(), mesh.topology().euler_characteristic());
     for singularity in found.iter().take(8) {
-        println!("  index {:+} at {:.3}", singularity.index, mesh.face_centre(singularity.face));
+        println!("  index {:+} at {:.3}", singularity.index, mesh.face(singularity.face).centre());
     }
     Ok(())
 }

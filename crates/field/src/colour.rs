@@ -55,7 +55,7 @@ impl ColourField {
         let (mut colours, mut alphas) = (vec![Vec3::ZERO; topology.vertex_count()], vec![0.0; topology.vertex_count()]);
         for vertex in topology.vertices() {
             let (mut sum, mut count) = ([0.0; 4], 0.0);
-            for corner in topology.leaving(vertex) {
+            for corner in vertex.leaving() {
                 let sample = image.sample(coordinates[corner.index()]);
                 (0..4).for_each(|k| sum[k] += sample[k]);
                 count += 1.0;

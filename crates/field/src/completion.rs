@@ -3,7 +3,7 @@
 use std::collections::VecDeque;
 
 use glam::DVec3;
-use pelage_mesh::{Mesh, Topology, VertexId, unit};
+use pelage_mesh::{Mesh, Topology, Vertex, VertexId, unit};
 
 use crate::transport::{tangent_part, transport};
 
@@ -43,7 +43,7 @@ impl<'a> Completion<'a> {
             vectors: vec![DVec3::ZERO; count],
         };
         for (vertex, &wanted) in mesh.topology().vertices().zip(wanted) {
-            completion.want(vertex, wanted);
+            completion.want(vertex.id(), wanted);
         }
         completion
     }
@@ -51,7 +51,7 @@ impl<'a> Completion<'a> {
     /// Sets what is wanted at a vertex.
     fn want(&mut self, vertex: VertexId, wanted: DVec3) {
         let (k, normal) = (vertex.index(), self.normals[vertex.index()]);
-        if normal == DVec3::ZERO || !self.topology.is_referenced(vertex) {
+        if normal == DVec3::ZERO || !self.topology.vertex(vertex).is_referenced() {
             return;
         }
         let tangent = tangent_part(wanted, normal);
@@ -84,7 +84,8 @@ impl<'a> Completion<'a> {
     fn vertices_in_need(&self) -> impl Iterator<Item = VertexId> + '_ {
         self.topology
             .vertices()
-            .filter(|v| self.trust[v.index()] < 1.0 && self.normals[v.index()] != DVec3::ZERO && self.topology.is_referenced(*v))
+            .filter(|v| self.trust[v.index()] < 1.0 && self.normals[v.index()] != DVec3::ZERO && v.is_referenced())
+            .map(Vertex::id)
     }
 
     /// A first guess for what is unknown, ring by ring from what is known; which vertices were reached.
@@ -92,20 +93,20 @@ impl<'a> Completion<'a> {
         let mut reached: Vec<bool> = self.trust.iter().map(|&trust| trust > 0.0).collect();
         // What is known starts the walk where it touches what is not: in order, whatever it was found from.
         let unknown = self.vertices_in_need().filter(|v| !reached[v.index()]);
-        let touched = unknown.flat_map(|v| self.topology.vertex_neighbours(v)).filter(|v| reached[v.index()]);
-        let mut rim: Vec<VertexId> = touched.collect();
+        let touched = unknown.flat_map(|v| self.topology.vertex(v).neighbours()).filter(|v| reached[v.index()]);
+        let mut rim: Vec<VertexId> = touched.map(Vertex::id).collect();
         rim.sort_unstable();
         rim.dedup();
         let mut queue = VecDeque::from(rim);
         while let Some(vertex) = queue.pop_front() {
             if self.trust[vertex.index()] == 0.0 {
                 // Only what is filled already speaks; where it cancels nothing is made up.
-                let filled = self.topology.vertex_neighbours(vertex).filter(|w| self.vectors[w.index()] != DVec3::ZERO).count();
+                let filled = self.topology.vertex(vertex).neighbours().filter(|w| self.vectors[w.index()] != DVec3::ZERO).count();
                 self.vectors[vertex.index()] = self.neighbour_sum(vertex).0 / filled.max(1) as f64;
             }
-            for neighbour in self.topology.vertex_neighbours(vertex) {
+            for neighbour in self.topology.vertex(vertex).neighbours() {
                 if !std::mem::replace(&mut reached[neighbour.index()], true) {
-                    queue.push_back(neighbour);
+                    queue.push_back(neighbour.id());
                 }
             }
         }
@@ -140,11 +141,11 @@ impl<'a> Completion<'a> {
 
     /// Has the vertices of each piece that nothing reached follow the coordinate axis of which most lies in the piece.
     fn follow_axes(&mut self, mesh: &Mesh, reached: &[bool]) {
-        let pieces = mesh.topology().components();
+        let pieces = mesh.components();
         let lost: Vec<(VertexId, usize)> = self
             .vertices_in_need()
             .filter(|v| !reached[v.index()])
-            .filter_map(|v| mesh.topology().vertex_faces(v).next().map(|face| (v, pieces.of_face(face))))
+            .filter_map(|v| mesh.vertex(v).faces().next().map(|face| (v, pieces.index_of(face.id()))))
             .collect();
         let mut across = vec![DVec3::ZERO; pieces.count()];
         for &(vertex, piece) in &lost {
@@ -170,7 +171,8 @@ fn any_tangent(normal: DVec3) -> DVec3 {
 fn neighbour_sum(topology: &Topology, normals: &[DVec3], vectors: &[DVec3], vertex: VertexId) -> (DVec3, u32) {
     let here = normals[vertex.index()];
     topology
-        .vertex_neighbours(vertex)
+        .vertex(vertex)
+        .neighbours()
         .fold((DVec3::ZERO, 0), |(sum, count), other| (sum + transport(vectors[other.index()], normals[other.index()], here), count + 1))
 }
 
@@ -185,5 +187,5 @@ pub(crate) fn smooth_once(topology: &Topology, normals: &[DVec3], vectors: &[DVe
         let tangent = tangent_part(here + sum / f64::from(count), normal);
         if tangent.length() > 1e-6 { unit(tangent) } else { here }
     };
-    topology.vertices().map(smoothed).collect()
+    topology.vertices().map(Vertex::id).map(smoothed).collect()
 }

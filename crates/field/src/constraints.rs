@@ -1,7 +1,7 @@
 //! A few directions, blended over the surface.
 
 use glam::DVec3;
-use pelage_mesh::{Mesh, VertexId, unit};
+use pelage_mesh::{Mesh, Vertex, VertexId, unit};
 
 use crate::FieldError;
 use crate::distance::Network;
@@ -71,9 +71,9 @@ pub(crate) fn checked_directions(constraints: &[Constraint], radius: f64) -> Res
 fn nearest_vertex(mesh: &Mesh, at: DVec3) -> Option<VertexId> {
     // Squares of model units may leave the range of f64, squares of diameters do not.
     let diameter = mesh.diameter().max(f64::MIN_POSITIVE);
-    let distance = |vertex: &VertexId| ((mesh.position(*vertex) - at) / diameter).length();
-    let referenced = mesh.topology().vertices().filter(|&vertex| mesh.topology().is_referenced(vertex));
-    referenced.min_by(|a, b| distance(a).total_cmp(&distance(b)))
+    let distance = |vertex: &Vertex<'_, Mesh>| ((vertex.position() - at) / diameter).length();
+    let referenced = mesh.vertices().filter(|vertex| vertex.is_referenced());
+    referenced.min_by(|a, b| distance(a).total_cmp(&distance(b))).map(Vertex::id)
 }
 
 /// A running weighted mean with weights e^(−exponent), kept relative to the greatest weight so far, so that none underflows.

@@ -98,8 +98,8 @@ impl DirectionField {
 
     /// The unit direction in the plane of a face: the mean of its corners' vectors, projected; zero where they cancel.
     pub fn on_face(&self, mesh: &Mesh, face: FaceId) -> DVec3 {
-        let sum: DVec3 = mesh.topology().face_vertices(face).map(|v| self.at_vertex(v)).into_iter().sum();
-        let tangent = tangent_part(sum, mesh.face_normal(face));
+        let sum: DVec3 = mesh.face(face).vertices().map(|v| self.at_vertex(v.id())).into_iter().sum();
+        let tangent = tangent_part(sum, mesh.face(face).normal());
         if tangent.length() > 1e-9 { unit(tangent) } else { DVec3::ZERO }
     }
 

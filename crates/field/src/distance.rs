@@ -3,7 +3,7 @@
 use std::cmp::{Ordering, Reverse};
 use std::collections::BinaryHeap;
 
-use pelage_mesh::{HalfEdgeId, Mesh, VertexId};
+use pelage_mesh::{HalfEdge, Mesh, VertexId};
 
 /// A place in the queue: nearer first, then lower number, so that equal distances are settled in one order.
 #[derive(Clone, Copy, PartialEq)]
@@ -35,10 +35,9 @@ pub(crate) struct Network<'a> {
 impl<'a> Network<'a> {
     pub(crate) fn new(mesh: &'a Mesh) -> Self {
         let diameter = mesh.diameter();
-        let length = |h: HalfEdgeId| (mesh.edge_vector(h) / diameter).length();
+        let length = |h: HalfEdge<'_, Mesh>| (h.vector() / diameter).length();
         // All in one place: no length, no direction, and everything is near everything.
-        let lengths =
-            if diameter > 0.0 { mesh.topology().half_edges().map(length).collect() } else { vec![0.0; mesh.topology().half_edge_count()] };
+        let lengths = if diameter > 0.0 { mesh.half_edges().map(length).collect() } else { vec![0.0; mesh.topology().half_edge_count()] };
         Self { mesh, lengths }
     }
 
@@ -62,11 +61,11 @@ impl<'a> Network<'a> {
                 continue;
             }
             settle(VertexId(vertex), distance);
-            for leaving in topology.leaving(VertexId(vertex)) {
-                reach(&mut queue, topology.tip(leaving), distance + self.lengths[leaving.index()]);
+            for leaving in topology.vertex(VertexId(vertex)).leaving() {
+                reach(&mut queue, leaving.tip().id(), distance + self.lengths[leaving.index()]);
                 let arriving = leaving.previous();
-                if topology.twin(arriving).is_none() {
-                    reach(&mut queue, topology.origin(arriving), distance + self.lengths[arriving.index()]);
+                if arriving.is_boundary() {
+                    reach(&mut queue, arriving.origin().id(), distance + self.lengths[arriving.index()]);
                 }
             }
         }
@@ -87,7 +86,7 @@ mod tests {
         network.walk([VertexId(0)], |vertex, distance| {
             assert!(distance >= last);
             last = distance;
-            let straight = mesh.position(vertex).distance(mesh.position(VertexId(0))) / 5.0;
+            let straight = mesh.vertex(vertex).position().distance(mesh.vertex(VertexId(0)).position()) / 5.0;
             assert!(distance >= straight - 1e-12 && distance <= straight * 1.42 + 1e-12);
             if vertex == VertexId(12) {
                 far = distance;

@@ -1,7 +1,7 @@
 //! Numbers on a surface.
 
 use glam::DVec3;
-use pelage_mesh::{Mesh, unit};
+use pelage_mesh::{Mesh, Vertex, unit};
 
 use crate::FieldError;
 
@@ -115,13 +115,12 @@ pub(crate) fn places_along(mesh: &Mesh, direction: DVec3) -> Result<Vec<f64>, Fi
     if axis == DVec3::ZERO {
         return Err(FieldError::NoDirection(direction));
     }
-    let topology = mesh.topology();
-    let along = |vertex| mesh.position(vertex).dot(axis);
-    let referenced = topology.vertices().filter(|&vertex| topology.is_referenced(vertex)).map(along);
+    let along = |vertex: Vertex<'_, Mesh>| vertex.position().dot(axis);
+    let referenced = mesh.vertices().filter(|vertex| vertex.is_referenced()).map(along);
     let (least, most) = referenced.fold((f64::INFINITY, f64::NEG_INFINITY), |(least, most), x| (least.min(x), most.max(x)));
     if least > most {
         return Err(FieldError::NoSurface);
     }
     let extent = most - least;
-    Ok(topology.vertices().map(|v| if extent > 0.0 { ((along(v) - least) / extent).clamp(0.0, 1.0) } else { 0.0 }).collect())
+    Ok(mesh.vertices().map(|v| if extent > 0.0 { ((along(v) - least) / extent).clamp(0.0, 1.0) } else { 0.0 }).collect())
 }

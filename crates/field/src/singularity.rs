@@ -3,7 +3,7 @@
 use std::f64::consts::{PI, TAU};
 
 use glam::{DVec2, DVec3};
-use pelage_mesh::{FaceId, HalfEdgeId, Mesh, VertexId, unit};
+use pelage_mesh::{BoundaryLoop, Face, FaceId, HalfEdge, Mesh, Vertex, unit};
 
 use crate::{DirectionField, FieldError};
 
@@ -28,32 +28,30 @@ pub struct Singularity {
 /// Where the field is not of this mesh.
 pub fn singularities(mesh: &Mesh, field: &DirectionField) -> Result<Vec<Singularity>, FieldError> {
     let angles = Angles::new(mesh, field)?;
-    let singularity = |face: FaceId| {
-        let turning: f64 = face.half_edges().map(|h| angles.turning(h)).into_iter().sum();
+    let singularity = |face: Face<'_, Mesh>| {
+        let turning: f64 = face.half_edges().map(|side| angles.turning(side)).into_iter().sum();
         let index = ((turning + angles.curvature(face)) / TAU).round() as i32;
-        (index != 0).then_some(Singularity { face, index })
+        (index != 0).then_some(Singularity { face: face.id(), index })
     };
-    Ok(mesh.topology().faces().filter_map(singularity).collect())
+    Ok(mesh.faces().filter_map(singularity).collect())
 }
 
 /// How often the field turns against the tangent of each boundary loop, walked with the surface on the left; in the order of
-/// [`Topology::boundary_loops`](pelage_mesh::Topology::boundary_loops).
+/// [`Mesh::boundary_loops`].
 ///
 /// # Errors
 /// Where the field is not of this mesh.
 pub fn boundary_turning(mesh: &Mesh, field: &DirectionField) -> Result<Vec<i32>, FieldError> {
     let angles = Angles::new(mesh, field)?;
-    let turning = |walk: &Vec<HalfEdgeId>| {
-        let at_corner = |h: HalfEdgeId| angles.rounds[mesh.topology().origin(h).index()] - PI;
-        let total: f64 = walk.iter().map(|&h| angles.turning(h) + at_corner(h)).sum();
+    let turning = |walk: BoundaryLoop<'_, Mesh>| {
+        let total: f64 = walk.half_edges().map(|side| angles.turning(side) + angles.rounds[side.origin().index()] - PI).sum();
         (total / TAU).round() as i32
     };
-    Ok(mesh.topology().boundary_loops().iter().map(turning).collect())
+    Ok(mesh.boundary_loops().into_iter().map(turning).collect())
 }
 
 /// Directions at vertices as angles.
-struct Angles<'a> {
-    mesh: &'a Mesh,
+struct Angles {
     /// The corner at the origin of each half-edge, stretched.
     corners: Vec<f64>,
     /// The direction of each half-edge at its origin, from the first of the fan.
@@ -64,34 +62,32 @@ struct Angles<'a> {
     rounds: Vec<f64>,
 }
 
-impl<'a> Angles<'a> {
-    fn new(mesh: &'a Mesh, field: &DirectionField) -> Result<Self, FieldError> {
+impl Angles {
+    fn new(mesh: &Mesh, field: &DirectionField) -> Result<Self, FieldError> {
         field.check(mesh)?;
         let topology = mesh.topology();
-        let mut corners: Vec<f64> = topology.faces().flat_map(|face| mesh.corner_angles(face)).collect();
+        let mut corners: Vec<f64> = mesh.faces().flat_map(Face::angles).collect();
         let mut directions = vec![0.0; corners.len()];
         let mut rounds = vec![0.0; topology.vertex_count()];
         let mut at_vertices = vec![0.0; topology.vertex_count()];
         let normals = mesh.vertex_normals();
-        for vertex in topology.vertices() {
-            rounds[vertex.index()] = lay_out(mesh, vertex, &mut corners, &mut directions);
-            at_vertices[vertex.index()] = angle_of(mesh, vertex, normals[vertex.index()], field.at_vertex(vertex), &directions);
+        for vertex in mesh.vertices() {
+            rounds[vertex.index()] = lay_out(vertex, &mut corners, &mut directions);
+            at_vertices[vertex.index()] = angle_of(vertex, normals[vertex.index()], field.at_vertex(vertex.id()), &directions);
         }
-        Ok(Self { mesh, corners, directions, field: at_vertices, rounds })
+        Ok(Self { corners, directions, field: at_vertices, rounds })
     }
 
     /// How much the field turns along a half-edge, −π to π, transport taken out; the other way round its negative exactly.
-    fn turning(&self, half_edge: HalfEdgeId) -> f64 {
-        let topology = self.mesh.topology();
-        match topology.twin(half_edge) {
-            Some(twin) if twin < half_edge => -self.turning_forwards(twin),
+    fn turning(&self, half_edge: HalfEdge<'_, Mesh>) -> f64 {
+        match half_edge.twin() {
+            Some(twin) if twin.id() < half_edge.id() => -self.turning_forwards(twin),
             _ => self.turning_forwards(half_edge),
         }
     }
 
-    fn turning_forwards(&self, half_edge: HalfEdgeId) -> f64 {
-        let topology = self.mesh.topology();
-        let (from, to, next) = (topology.origin(half_edge), topology.tip(half_edge), half_edge.next());
+    fn turning_forwards(&self, half_edge: HalfEdge<'_, Mesh>) -> f64 {
+        let (from, to, next) = (half_edge.origin(), half_edge.tip(), half_edge.next());
         let backwards = self.directions[next.index()] + self.corners[next.index()];
         let transport = backwards + PI - self.directions[half_edge.index()];
         let turning = self.field[to.index()] - self.field[from.index()] - transport;
@@ -99,18 +95,17 @@ impl<'a> Angles<'a> {
     }
 
     /// What a vector turns that is transported around the face: the excess of its angles over π.
-    fn curvature(&self, face: FaceId) -> f64 {
+    fn curvature(&self, face: Face<'_, Mesh>) -> f64 {
         face.half_edges().map(|h| self.corners[h.index()]).into_iter().sum::<f64>() - PI
     }
 }
 
 /// Stretches the corners at an inner vertex to a full round, and gives each half-edge that leaves the vertex its angle. Returns the round.
-fn lay_out(mesh: &Mesh, vertex: VertexId, corners: &mut [f64], directions: &mut [f64]) -> f64 {
-    let topology = mesh.topology();
-    let total: f64 = topology.leaving(vertex).map(|h| corners[h.index()]).sum();
-    let stretch = if topology.is_boundary_vertex(vertex) || total <= 0.0 { 1.0 } else { TAU / total };
+fn lay_out(vertex: Vertex<'_, Mesh>, corners: &mut [f64], directions: &mut [f64]) -> f64 {
+    let total: f64 = vertex.leaving().map(|h| corners[h.index()]).sum();
+    let stretch = if vertex.is_boundary() || total <= 0.0 { 1.0 } else { TAU / total };
     let mut direction = 0.0;
-    for h in topology.leaving(vertex) {
+    for h in vertex.leaving() {
         corners[h.index()] *= stretch;
         directions[h.index()] = direction;
         direction += corners[h.index()];
@@ -120,18 +115,18 @@ fn lay_out(mesh: &Mesh, vertex: VertexId, corners: &mut [f64], directions: &mut 
 
 /// The angle of a tangent vector in the layout of a vertex, which is turned so that its edges lie as near as can be to where they are seen
 /// along the normal.
-fn angle_of(mesh: &Mesh, vertex: VertexId, normal: DVec3, vector: DVec3, directions: &[f64]) -> f64 {
+fn angle_of(vertex: Vertex<'_, Mesh>, normal: DVec3, vector: DVec3, directions: &[f64]) -> f64 {
     if vector == DVec3::ZERO {
         return 0.0;
     }
     // Seen from the vector itself, so that its own angle is 0.
     let sideways = normal.cross(vector);
-    let misfit = |h: HalfEdgeId| {
-        let edge = unit(mesh.edge_vector(h));
+    let misfit = |h: HalfEdge<'_, Mesh>| {
+        let edge = unit(h.vector());
         let seen = DVec2::new(edge.dot(vector), edge.dot(sideways));
         let (sin, cos) = libm::sincos(directions[h.index()]);
         DVec2::new(cos, -sin).rotate(seen)
     };
-    let sum: DVec2 = mesh.topology().leaving(vertex).map(misfit).sum();
+    let sum: DVec2 = vertex.leaving().map(misfit).sum();
     -libm::atan2(sum.y, sum.x)
 }

@@ -5,7 +5,7 @@ use std::path::Path;
 
 use glam::DVec3;
 use pelage_field::{Constraint, DirectionField, FieldError, LEAST_PROJECTION, boundary_turning, singularities};
-use pelage_mesh::{Mesh, plane, read_obj, rounded_die, sphere, torus};
+use pelage_mesh::{Edge, Mesh, Vertex, plane, read_obj, rounded_die, sphere, torus};
 
 /// The clean models of the folder `PELAGE_MODELS`, and our own.
 fn models() -> Vec<(String, Mesh)> {
@@ -42,8 +42,8 @@ fn models() -> Vec<(String, Mesh)> {
 }
 
 fn assert_unit_and_tangent(name: &str, mesh: &Mesh, field: &DirectionField) {
-    for ((vertex, v), n) in mesh.topology().vertices().zip(field.vectors()).zip(mesh.vertex_normals()) {
-        if mesh.topology().is_referenced(vertex) && n != DVec3::ZERO {
+    for ((vertex, v), n) in mesh.vertices().zip(field.vectors()).zip(mesh.vertex_normals()) {
+        if vertex.is_referenced() && n != DVec3::ZERO {
             assert!((v.length() - 1.0).abs() < 1e-9, "{name}: {vertex:?} has {v}");
             assert!(v.dot(n).abs() < 1e-9, "{name}: {vertex:?} leaves its plane by {}", v.dot(n));
         } else {
@@ -148,13 +148,13 @@ fn two_runs_agree_to_the_bit() {
 fn the_poles_of_a_ball_are_filled_smoothly() {
     let ball = sphere(1.0, 24).unwrap();
     let field = DirectionField::toward(&ball, DVec3::Y).unwrap();
-    for half_edge in ball.topology().edges() {
-        let ends = [ball.topology().origin(half_edge), ball.topology().tip(half_edge)];
-        let [a, b] = ends.map(|v| ball.position(v));
+    for edge in ball.edges() {
+        let ends = edge.vertices();
+        let [a, b] = ends.map(Vertex::position);
         // Around a pole the field turns by about edge over distance; at three edges it is well under a radian.
         let from_pole = DVec3::new(a.x, 0.0, a.z).length().min(DVec3::new(b.x, 0.0, b.z).length());
         if from_pole > 3.0 * ball.mean_edge_length() {
-            let [v, w] = ends.map(|vertex| field.at_vertex(vertex));
+            let [v, w] = ends.map(|vertex| field.at_vertex(vertex.id()));
             assert!(v.angle_between(w) < 0.6, "at {a}: {v} beside {w}");
         }
     }
@@ -166,7 +166,7 @@ fn singularities_lie_where_the_analytic_field_has_them() {
     for direction in [DVec3::Y, DVec3::X, DVec3::new(1.0, 2.0, -0.5).normalize()] {
         let ball = sphere(3.0, 24).unwrap();
         let found = singularities(&ball, &DirectionField::toward(&ball, direction).unwrap()).unwrap();
-        let heights: Vec<f64> = found.iter().map(|s| ball.face_centre(s.face).dot(direction) / 3.0).collect();
+        let heights: Vec<f64> = found.iter().map(|s| ball.face(s.face).centre().dot(direction) / 3.0).collect();
         assert_eq!(found.iter().map(|s| s.index).collect::<Vec<_>>(), [1, 1], "{heights:?}");
         // Within the completed cap, whose edge is where the sine is LEAST_PROJECTION.
         assert!(heights.iter().all(|h| h.abs() > 0.994) && heights[0] * heights[1] < 0.0, "{heights:?}");
@@ -174,7 +174,7 @@ fn singularities_lie_where_the_analytic_field_has_them() {
     // Across a torus's axis, height has a minimum, a maximum and two saddles.
     let ring = torus(1.0, 0.4, 80, 48).unwrap();
     let found = singularities(&ring, &DirectionField::toward(&ring, DVec3::X).unwrap()).unwrap();
-    let mut places: Vec<_> = found.iter().map(|s| (ring.face_centre(s.face), s.index)).collect();
+    let mut places: Vec<_> = found.iter().map(|s| (ring.face(s.face).centre(), s.index)).collect();
     places.sort_by(|a, b| a.0.x.total_cmp(&b.0.x));
     let expected = [(-1.4, 1), (-0.6, -1), (0.6, -1), (1.4, 1)];
     assert_eq!(places.len(), expected.len(), "{places:?}");
@@ -202,7 +202,7 @@ fn a_flat_patch_has_no_singularity_and_the_whole_boundary_turning() {
     let field = DirectionField::from_constraints(&mesh, &outwards, 0.2).unwrap();
     let found = singularities(&mesh, &field).unwrap();
     assert_eq!((found.len(), found[0].index), (1, 1));
-    assert!(mesh.face_centre(found[0].face).length() < 0.3);
+    assert!(mesh.face(found[0].face).centre().length() < 0.3);
     assert_eq!(boundary_turning(&mesh, &field).unwrap(), [0]);
 }
 
@@ -223,9 +223,9 @@ fn constraints_are_met_and_rule_their_surroundings() {
     ];
     let field = DirectionField::from_constraints(&ball, &constraints, 0.1).unwrap();
     for Constraint { at, along } in constraints {
-        let near = ball.topology().vertices().filter(|&v| ball.position(v).distance(at.normalize()) < 0.3);
+        let near = ball.vertices().filter(|v| v.position().distance(at.normalize()) < 0.3);
         for vertex in near {
-            assert!(field.at_vertex(vertex).dot(along.normalize()) > 0.9);
+            assert!(field.at_vertex(vertex.id()).dot(along.normalize()) > 0.9);
         }
     }
 }
@@ -250,7 +250,7 @@ fn a_piece_without_constraints_follows_their_mean() {
     let constraints = [Constraint { at: DVec3::X, along: DVec3::Y }, Constraint { at: DVec3::NEG_X, along: DVec3::Z }];
     let field = DirectionField::from_constraints(&pair, &constraints, 0.2).unwrap();
     let toward = DirectionField::toward(&pair, DVec3::new(0.0, 1.0, 1.0)).unwrap();
-    for vertex in pair.topology().vertices().skip(count as usize) {
+    for vertex in pair.vertices().map(Vertex::id).skip(count as usize) {
         assert!(field.at_vertex(vertex).distance(toward.at_vertex(vertex)) < 1e-9);
     }
 }
@@ -299,10 +299,10 @@ fn rough_die() -> Mesh {
 fn roughness_of_what_lies_across_is_not_taken_for_a_direction() {
     let die = rough_die();
     let field = DirectionField::toward(&die, DVec3::Y).unwrap();
-    let (top, bottom): (Vec<_>, Vec<_>) = singularities(&die, &field).unwrap().into_iter().partition(|s| die.face_centre(s.face).y > 0.0);
+    let (top, bottom): (Vec<_>, Vec<_>) = singularities(&die, &field).unwrap().into_iter().partition(|s| die.face(s.face).centre().y > 0.0);
     for side in [top, bottom] {
         assert_eq!(side.iter().map(|s| s.index).collect::<Vec<_>>(), [1], "{side:?}");
-        let place = die.face_centre(side[0].face);
+        let place = die.face(side[0].face).centre();
         assert!(place.y.abs() > 0.49 && place.x.hypot(place.z) < 0.15, "{place}");
     }
 }
@@ -311,8 +311,11 @@ fn roughness_of_what_lies_across_is_not_taken_for_a_direction() {
 fn smoothing_brings_neighbours_together() {
     let die = rough_die();
     let difference = |field: &DirectionField| -> f64 {
-        let across = |h| field.at_vertex(die.topology().origin(h)).distance_squared(field.at_vertex(die.topology().tip(h)));
-        die.topology().edges().map(across).sum()
+        let across = |edge: Edge<'_, Mesh>| {
+            let [a, b] = edge.vertices().map(|end| field.at_vertex(end.id()));
+            a.distance_squared(b)
+        };
+        die.edges().map(across).sum()
     };
     let field = DirectionField::toward(&die, DVec3::new(1.0, 0.3, 0.2)).unwrap();
     let (five, twenty) = (field.smoothed(&die, 5).unwrap(), field.smoothed(&die, 20).unwrap());

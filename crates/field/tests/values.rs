@@ -45,7 +45,7 @@ fn arithmetic_is_that_of_the_values() {
 /// A plane of one cell, whose corner k looks the image up at `places[k]`.
 fn looking_at(places: [DVec2; 4]) -> Mesh {
     let mesh = plane(1.0, 1.0, 1, 1).unwrap();
-    let coordinates = mesh.topology().half_edges().map(|h| places[mesh.topology().origin(h).index()]).collect();
+    let coordinates = mesh.half_edges().map(|h| places[h.origin().index()]).collect();
     mesh.with_texture_coordinates(coordinates).unwrap()
 }
 
@@ -85,8 +85,8 @@ fn corners_at_a_seam_are_averaged() {
     let coordinates = (0..6).map(|corner| if corner < 3 { DVec2::new(0.75, 0.75) } else { DVec2::new(0.75, 0.25) }).collect();
     let mesh = mesh.with_texture_coordinates(coordinates).unwrap();
     let (colours, alpha) = ColourField::from_image(&mesh, &IMAGE, 2, 2).unwrap();
-    for vertex in mesh.topology().vertices() {
-        let faces: Vec<_> = mesh.topology().vertex_faces(vertex).map(|face| face.0).collect();
+    for vertex in mesh.vertices() {
+        let faces: Vec<_> = vertex.faces().map(|face| face.id().0).collect();
         let (red, amount) = match faces.as_slice() {
             [0] => (1.0, 1.0),
             [1] => (0.0, 0.2),

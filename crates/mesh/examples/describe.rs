@@ -15,8 +15,8 @@ fn main() -> Result<(), Box<dyn Error>> {
     let summary = Summary::of(&mesh);
     println!("{summary:#?}");
     println!("closed: {}; texture coordinates: {}", summary.is_closed(), mesh.texture_coordinates().is_some());
-    for (number, walk) in mesh.topology().boundary_loops().iter().enumerate() {
-        println!("boundary loop {number}: {} edges", walk.len());
+    for (number, walk) in mesh.boundary_loops().into_iter().enumerate() {
+        println!("boundary loop {number}: {} edges, {:.4} long", walk.edge_count(), walk.length());
     }
     Ok(())
 }

@@ -4,10 +4,12 @@ use std::sync::Arc;
 
 use glam::{DVec2, DVec3};
 
-use crate::vector::{angle_between, unit};
-use crate::{FaceId, HalfEdgeId, Topology, TopologyError, VertexId};
+use crate::vector::unit;
+use crate::{Edge, Face, Topology, TopologyError};
 
 /// A triangle mesh: a shared [`Topology`], a position for each vertex in the model's own units, and texture coordinates if it has them.
+///
+/// Of one vertex, edge or face it is asked through views: `mesh.face(f).normal()`.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Mesh {
     topology: Arc<Topology>,
@@ -109,82 +111,28 @@ impl Mesh {
         self.texture_coordinates.as_deref()
     }
 
-    /// Where a vertex is.
-    #[inline]
-    pub fn position(&self, vertex: VertexId) -> DVec3 {
-        self.positions[vertex.index()]
-    }
-
-    /// Where the corners of a face are, in winding order.
-    #[inline]
-    pub fn face_positions(&self, face: FaceId) -> [DVec3; 3] {
-        self.topology.face_vertices(face).map(|v| self.position(v))
-    }
-
-    /// The middle of a face.
-    pub fn face_centre(&self, face: FaceId) -> DVec3 {
-        let [a, b, c] = self.face_positions(face);
-        (a + b + c) / 3.0
-    }
-
-    /// Half the cross product of two sides: along the normal, as long as the face's area. Sides of 1e-150 to 1e150 keep it in range.
-    #[inline]
-    pub fn face_area_vector(&self, face: FaceId) -> DVec3 {
-        let [a, b, c] = self.face_positions(face);
-        0.5 * (b - a).cross(c - a)
-    }
-
-    /// The area of a face.
-    pub fn face_area(&self, face: FaceId) -> f64 {
-        self.face_area_vector(face).length()
-    }
-
-    /// The unit normal of a face; zero for a face without area. Right at any scale, also where the area itself leaves the range of `f64`.
-    pub fn face_normal(&self, face: FaceId) -> DVec3 {
-        let [a, b, c] = self.face_positions(face);
-        unit(unit(b - a).cross(unit(c - a)))
-    }
-
     /// The unit normal at each vertex: the mean of its faces' normals weighted by their angle there (Thürmer and Wüthrich 1998),
     /// which does not depend on how a flat region is cut into faces. Zero for an unreferenced vertex.
     pub fn vertex_normals(&self) -> Vec<DVec3> {
         let mut normals = vec![DVec3::ZERO; self.positions.len()];
-        for face in self.topology.faces() {
-            let normal = self.face_normal(face);
-            for (corner, angle) in self.topology.face_vertices(face).into_iter().zip(self.corner_angles(face)) {
+        for face in self.faces() {
+            let normal = face.normal();
+            for (corner, angle) in face.vertices().into_iter().zip(face.angles()) {
                 normals[corner.index()] += normal * angle;
             }
         }
         normals.into_iter().map(unit).collect()
     }
 
-    /// The angles of a face at its corners, in radians, 0 to π; they add up to π but for a face with a side of no length.
-    pub fn corner_angles(&self, face: FaceId) -> [f64; 3] {
-        let [a, b, c] = self.face_positions(face);
-        [angle_between(b - a, c - a), angle_between(c - b, a - b), angle_between(a - c, b - c)]
-    }
-
-    /// The vector from where a half-edge starts to where it ends.
-    #[inline]
-    pub fn edge_vector(&self, half_edge: HalfEdgeId) -> DVec3 {
-        self.position(self.topology.tip(half_edge)) - self.position(self.topology.origin(half_edge))
-    }
-
-    /// The length of a half-edge, in model units.
-    #[inline]
-    pub fn edge_length(&self, half_edge: HalfEdgeId) -> f64 {
-        self.edge_vector(half_edge).length()
-    }
-
     /// The mean length of the edges, each counted once, in model units; 0 without edges.
     pub fn mean_edge_length(&self) -> f64 {
-        let total: f64 = self.topology.edges().map(|h| self.edge_length(h)).sum();
+        let total: f64 = self.edges().map(Edge::length).sum();
         total / self.topology.edge_count().max(1) as f64
     }
 
     /// The area of the surface, in square model units.
     pub fn area(&self) -> f64 {
-        self.topology.faces().map(|face| self.face_area(face)).sum()
+        self.faces().map(Face::area).sum()
     }
 
     /// The volume under the faces, in cubic model units: that enclosed by a closed surface, negative where it is wound inwards.
@@ -193,16 +141,16 @@ impl Mesh {
     /// means little.
     pub fn signed_volume(&self) -> f64 {
         let centre = self.bounds().map_or(DVec3::ZERO, |(low, high)| 0.5 * low + 0.5 * high);
-        let tetrahedron = |face| {
-            let [a, b, c] = self.face_positions(face).map(|p| p - centre);
+        let tetrahedron = |face: Face<'_, Self>| {
+            let [a, b, c] = face.positions().map(|p| p - centre);
             a.dot(b.cross(c)) / 6.0
         };
-        self.topology.faces().map(tetrahedron).sum()
+        self.faces().map(tetrahedron).sum()
     }
 
     /// The least and greatest corner of the box around the referenced vertices; `None` for a mesh without faces.
     pub fn bounds(&self) -> Option<(DVec3, DVec3)> {
-        let corners = self.topology.faces().flat_map(|face| self.face_positions(face));
+        let corners = self.faces().flat_map(Face::positions);
         corners.fold(None, |bounds, p| {
             let (low, high) = bounds.unwrap_or((p, p));
             Some((low.min(p), high.max(p)))

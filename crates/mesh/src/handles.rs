@@ -1,4 +1,4 @@
-//! `u32` handles: four bytes each, and not to be mistaken for one another.
+//! `u32` handles: four bytes each, and not to be mistaken for one another. They say what is arithmetic; the rest is said by views.
 
 macro_rules! handle {
     ($(#[$doc:meta])* $name:ident) => {

@@ -6,21 +6,23 @@
 //!
 //! # Convention
 //! Faces wind anticlockwise seen from outside, the frame is right-handed with y up, and a model's own units are kept in `f64`. A handle is a
-//! `u32` ([`VertexId`], [`HalfEdgeId`], [`FaceId`]). Nothing here panics on the content of a model; a fault is a typed error that says where and how to mend it.
+//! `u32` ([`VertexId`], [`HalfEdgeId`], [`FaceId`]) to be kept in arrays; joined to its surface it is a view ([`Vertex`], [`HalfEdge`], [`Edge`], [`Face`]),
+//! from which the rest is asked as a sentence. Nothing here panics on the content of a model; a fault is a typed error that says where and how to mend it.
 //! A handle that is not of the mesh it is used with is a fault of the program, and panics as an array does.
 //!
 //! ```
 //! use glam::DVec3;
-//! use pelage_mesh::{Mesh, Summary, VertexId};
+//! use pelage_mesh::{Edge, Mesh, Summary, VertexId};
 //!
 //! let corners = vec![DVec3::ZERO, DVec3::X, DVec3::Y, DVec3::Z];
 //! let tetrahedron = Mesh::from_triangles(corners, &[[0, 2, 1], [0, 1, 3], [1, 2, 3], [2, 0, 3]])?;
 //!
-//! let topology = tetrahedron.topology();
-//! let ring: Vec<VertexId> = topology.vertex_neighbours(VertexId(3)).collect();
-//! assert_eq!(ring.len(), 3);
-//! let across: Vec<f64> = topology.edges().map(|edge| tetrahedron.edge_length(edge)).collect();
-//! assert_eq!(across.len(), 6);
+//! let top = tetrahedron.vertex(VertexId(3));
+//! assert_eq!((top.valence(), top.neighbours().count()), (3, 3));
+//! assert!(top.normal().dot(DVec3::Z) > 0.9 && top.faces().all(|face| face.area() >= 0.5));
+//! let longest = tetrahedron.edges().map(Edge::length).fold(0.0, f64::max);
+//! assert_eq!(longest, 2_f64.sqrt());
+//! assert_eq!(tetrahedron.topology().genus(), 0);
 //! assert!(Summary::of(&tetrahedron).is_closed());
 //! # Ok::<(), pelage_mesh::MeshError>(())
 //! ```
@@ -37,11 +39,13 @@ mod primitives;
 mod summary;
 mod topology;
 mod vector;
+mod views;
 
 pub use geometry::{Mesh, MeshError};
 pub use handles::{FaceId, HalfEdgeId, VertexId};
 pub use obj::{ObjError, ObjFault, parse_obj, read_obj};
 pub use primitives::{MOST_PRIMITIVE_FACES, PrimitiveError, plane, rounded_die, sphere, torus};
 pub use summary::Summary;
-pub use topology::{BrokenInvariant, Components, Topology, TopologyError};
+pub use topology::{BrokenInvariant, Topology, TopologyError};
 pub use vector::{angle_between, unit};
+pub use views::{BoundaryLoop, Component, Components, Edge, Face, HalfEdge, Rings, Surface, Vertex};

@@ -48,24 +48,21 @@ impl Summary {
     pub fn of(mesh: &Mesh) -> Self {
         let topology = mesh.topology();
         let vertices = topology.referenced_vertex_count();
-        let (components, boundary_loops) = (topology.components().count(), topology.boundary_loops().len());
-        let euler_characteristic = topology.euler_characteristic();
         Self {
             vertices,
             unreferenced_vertices: topology.vertex_count() - vertices,
             edges: topology.edge_count(),
             boundary_edges: topology.boundary_edge_count(),
             faces: topology.face_count(),
-            boundary_loops,
-            components,
-            euler_characteristic,
-            // An orientable surface: always even, never negative.
-            genus: ((2 * components as i64 - boundary_loops as i64 - euler_characteristic) / 2) as usize,
+            boundary_loops: topology.boundary_loops().len(),
+            components: topology.components().count(),
+            euler_characteristic: topology.euler_characteristic(),
+            genus: topology.genus(),
             area: mesh.area(),
             signed_volume: mesh.signed_volume(),
             diameter: mesh.diameter(),
             mean_edge_length: mesh.mean_edge_length(),
-            faces_without_area: topology.faces().filter(|&face| mesh.face_normal(face) == glam::DVec3::ZERO).count(),
+            faces_without_area: mesh.faces().filter(|face| face.normal() == glam::DVec3::ZERO).count(),
         }
     }
 

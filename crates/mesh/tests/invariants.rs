@@ -2,7 +2,7 @@
 #![allow(clippy::unwrap_used, clippy::print_stdout, reason = "a test may fail, and says what it leaves out")]
 
 use glam::DVec3;
-use pelage_mesh::{HalfEdgeId, Mesh, Summary, Topology, TopologyError, plane, rounded_die, sphere, torus};
+use pelage_mesh::{FaceId, Mesh, Summary, Topology, TopologyError, Vertex, plane, rounded_die, sphere, torus};
 use proptest::prelude::*;
 
 /// One of several surfaces: closed, with a handle, with boundary.
@@ -82,18 +82,18 @@ proptest! {
     fn rings_agree_with_a_search_through_all_faces((_, mesh) in shuffled()) {
         let topology = mesh.topology();
         for vertex in topology.vertices() {
-            let mut ring: Vec<_> = topology.vertex_neighbours(vertex).collect();
+            let mut ring: Vec<_> = vertex.neighbours().map(Vertex::id).collect();
             let mut expected: Vec<_> = topology.half_edges()
-                .flat_map(|h| [(topology.origin(h), topology.tip(h)), (topology.tip(h), topology.origin(h))])
-                .filter(|ends| ends.0 == vertex).map(|ends| ends.1).collect();
+                .flat_map(|h| [(h.origin(), h.tip()), (h.tip(), h.origin())])
+                .filter(|ends| ends.0 == vertex).map(|ends| ends.1.id()).collect();
             ring.sort();
             expected.sort();
             expected.dedup();
             prop_assert_eq!(&ring, &expected);
-            let on_boundary = topology.half_edges().any(|h| topology.twin(h).is_none() && (topology.origin(h) == vertex || topology.tip(h) == vertex));
-            prop_assert_eq!(topology.is_boundary_vertex(vertex), on_boundary);
-            let steps: Vec<HalfEdgeId> = topology.leaving(vertex).collect();
-            prop_assert!(steps.windows(2).all(|pair| topology.rotate_left(pair[0]) == Some(pair[1])));
+            let on_boundary = topology.half_edges().any(|h| h.twin().is_none() && (h.origin() == vertex || h.tip() == vertex));
+            prop_assert_eq!(vertex.is_boundary(), on_boundary);
+            let steps: Vec<_> = vertex.leaving().collect();
+            prop_assert!(steps.windows(2).all(|pair| pair[0].rotate_left() == Some(pair[1]) && pair[1].rotate_right() == Some(pair[0])));
         }
     }
 
@@ -104,16 +104,17 @@ proptest! {
                 prop_assert!(each_vertex_has_one_fan(vertex_count, &faces));
                 prop_assert_eq!(topology.check(), Ok(()));
                 let loops = topology.boundary_loops();
-                prop_assert_eq!(loops.iter().map(Vec::len).sum::<usize>(), topology.boundary_edge_count());
+                prop_assert_eq!(loops.iter().map(|walk| walk.edge_count()).sum::<usize>(), topology.boundary_edge_count());
                 for walk in loops {
+                    let walk: Vec<_> = walk.half_edges().collect();
                     for k in 0..walk.len() {
-                        prop_assert_eq!(topology.tip(walk[k]), topology.origin(walk[(k + 1) % walk.len()]));
-                        prop_assert!(topology.twin(walk[k]).is_none());
+                        prop_assert_eq!(walk[k].tip(), walk[(k + 1) % walk.len()].origin());
+                        prop_assert!(walk[k].is_boundary());
                     }
                 }
                 let pieces = topology.components();
-                prop_assert_eq!(pieces.face_counts().iter().sum::<usize>(), topology.face_count());
-                prop_assert!(topology.edges().all(|h| topology.twin(h).is_none_or(|g| pieces.of_face(h.face()) == pieces.of_face(g.face()))));
+                prop_assert_eq!(pieces.iter().map(|piece| piece.faces().len()).sum::<usize>(), topology.face_count());
+                prop_assert!(topology.edges().all(|edge| edge.faces().all(|face| pieces.index_of(face.id()) == pieces.index_of(edge.half_edge().face().id()))));
                 let even = 2 * pieces.count() as i64 - topology.boundary_loops().len() as i64 - topology.euler_characteristic();
                 prop_assert!(even >= 0 && even % 2 == 0);
             }
@@ -160,14 +161,14 @@ fn no_faces_make_an_empty_surface() {
 fn slivers_have_normals_and_angles() {
     for height in [1e-2, 1e-8, 1e-100] {
         let mesh = Mesh::from_triangles(vec![DVec3::ZERO, DVec3::X, DVec3::new(0.5, height, 0.0)], &[[0, 1, 2]]).unwrap();
-        let face = pelage_mesh::FaceId(0);
-        assert_eq!(mesh.face_normal(face), DVec3::Z);
-        let angles = mesh.corner_angles(face);
+        let face = mesh.face(FaceId(0));
+        assert_eq!(face.normal(), DVec3::Z);
+        let angles = face.angles();
         assert!((angles[0] - 2.0 * height).abs() < 1e-2 * height && (angles[0] - angles[1]).abs() < 1e-9 * height, "{angles:?}");
     }
     let flat = Mesh::from_triangles(vec![DVec3::ZERO, DVec3::X, 2.0 * DVec3::X, DVec3::X], &[[0, 1, 2], [1, 0, 3]]).unwrap();
     assert!(flat.vertex_normals().iter().all(|&n| n == DVec3::ZERO));
-    assert!(flat.corner_angles(pelage_mesh::FaceId(1)).iter().all(|a| a.is_finite()));
+    assert!(flat.face(FaceId(1)).angles().iter().all(|a| a.is_finite()));
 }
 
 #[test]
@@ -191,9 +192,9 @@ fn normals_and_angles_hold_beyond_where_squares_do() {
         for (a, b) in unit.vertex_normals().iter().zip(scaled.vertex_normals()) {
             assert!(a.distance(b) < 1e-12, "× {scale}: {a} became {b}");
         }
-        for face in unit.topology().faces() {
-            assert!(unit.face_normal(face).distance(scaled.face_normal(face)) < 1e-12);
-            let angles = unit.corner_angles(face).into_iter().zip(scaled.corner_angles(face));
+        for (face, other) in unit.faces().zip(scaled.faces()) {
+            assert!(face.normal().distance(other.normal()) < 1e-12);
+            let angles = face.angles().into_iter().zip(other.angles());
             assert!(angles.into_iter().all(|(a, b)| (a - b).abs() < 1e-12));
         }
     }

@@ -4,7 +4,7 @@
 use std::path::PathBuf;
 
 use glam::DVec3;
-use pelage_mesh::{Mesh, ObjFault, Summary, Topology, read_obj};
+use pelage_mesh::{Mesh, ObjFault, Summary, Topology, Vertex, read_obj};
 use serde_json::Value;
 
 /// The folder of models, or nothing where none is given.
@@ -81,10 +81,10 @@ fn a_model_that_is_not_clean_is_an_error_that_says_why() {
 fn every_half_edge_is_reached_and_corner_angles_add_up() {
     for (name, _, mesh) in clean_models() {
         let topology = mesh.topology();
-        let around: usize = topology.vertices().map(|vertex| topology.vertex_faces(vertex).count()).sum();
+        let around: usize = topology.vertices().map(Vertex::face_count).sum();
         assert_eq!(around, topology.half_edge_count(), "{name}");
-        for face in topology.faces() {
-            let sum: f64 = mesh.corner_angles(face).iter().sum();
+        for face in mesh.faces() {
+            let sum: f64 = face.angles().iter().sum();
             assert!((sum - std::f64::consts::PI).abs() < 1e-9, "{name}: face {face:?}");
         }
     }

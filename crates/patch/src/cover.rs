@@ -2,7 +2,7 @@
 
 use glam::DVec2;
 use pelage_field::DirectionField;
-use pelage_mesh::{FaceId, Mesh};
+use pelage_mesh::{Face, FaceId, Mesh};
 use rand::seq::SliceRandom;
 use rand::{RngExt, SeedableRng};
 use rand_pcg::Pcg64Mcg;
@@ -49,7 +49,7 @@ pub fn grow(mesh: &Mesh, directions: Option<&DirectionField>, settings: &Setting
         extent: settings.patch_extent,
         random: Pcg64Mcg::seed_from_u64(settings.seed),
     };
-    let mut order: Vec<FaceId> = mesh.topology().faces().collect();
+    let mut order: Vec<FaceId> = mesh.faces().map(Face::id).collect();
     order.shuffle(&mut cover.random);
     cover.fill(&order);
     cover.grower.bounds = bounds;

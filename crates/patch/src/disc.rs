@@ -1,7 +1,7 @@
 //! A set of faces that stays a topological disc as it grows.
 
 use glam::DVec2;
-use pelage_mesh::{FaceId, Topology, VertexId};
+use pelage_mesh::{FaceId, Topology, Vertex, VertexId};
 
 /// How a face touches a disc.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -88,13 +88,13 @@ impl Disc {
 
     /// How a face touches the disc.
     pub(crate) fn contact(&self, topology: &Topology, face: FaceId) -> Contact {
-        let shared = topology.face_neighbours(face).map(|n| n.is_some_and(|n| self.contains(n)));
+        let shared = topology.face(face).across().map(|n| n.is_some_and(|n| self.contains(n.id())));
         match shared {
             [true, true, false] | [true, false, true] | [false, true, true] => Contact::Wedge,
             [false, false, false] | [true, true, true] => Contact::Barred,
             _ => {
                 let side = shared.iter().position(|&s| s).unwrap_or(0);
-                let opposite = topology.face_vertices(face)[(side + 2) % 3];
+                let opposite = topology.face(face).vertices()[(side + 2) % 3].id();
                 if self.slot(opposite).is_none() { Contact::Side { side } } else { Contact::Barred }
             }
         }
@@ -104,7 +104,7 @@ impl Disc {
     pub(crate) fn push(&mut self, topology: &Topology, face: FaceId, places: [DVec2; 3]) {
         self.face_stamps[face.index()] = self.stamp;
         self.faces.push(face);
-        let vertices = topology.face_vertices(face);
+        let vertices = topology.face(face).vertices().map(Vertex::id);
         let corners = [0, 1, 2].map(|k| self.slot_or_new(vertices[k], places[k]));
         self.corners.push(corners);
     }

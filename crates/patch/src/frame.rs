@@ -4,7 +4,7 @@ use std::collections::VecDeque;
 
 use glam::{DVec2, DVec3};
 use pelage_field::DirectionField;
-use pelage_mesh::{FaceId, Mesh};
+use pelage_mesh::{Face, FaceId, Mesh};
 
 use crate::shape::{FaceShape, face_axes};
 
@@ -13,9 +13,8 @@ use crate::shape::{FaceShape, face_axes};
 /// A face where the field is zero or cancels takes the direction of a neighbour, carried across their common edge.
 pub(crate) fn face_rotations(mesh: &Mesh, directions: &DirectionField, shapes: &[FaceShape], tile_side: f64) -> Vec<DVec2> {
     let mut found: Vec<Option<DVec2>> = mesh
-        .topology()
         .faces()
-        .map(|face| if shapes[face.index()].degenerate { None } else { direction_in_layout(mesh, directions, face, tile_side) })
+        .map(|face| if shapes[face.index()].degenerate { None } else { direction_in_layout(mesh, directions, face.id(), tile_side) })
         .collect();
     spread(mesh, shapes, &mut found);
     // With S the field turned so that (S, T, n) is right-handed, S = (T.y, −T.x), and p ↦ (S·p, T·p) is the rotation T.y + i T.x.
@@ -32,16 +31,16 @@ pub(crate) fn direction_in_layout(mesh: &Mesh, directions: &DirectionField, face
 
 /// Breadth first from the faces that have a direction; a component without any starts at its first face, along that face's first side.
 fn spread(mesh: &Mesh, shapes: &[FaceShape], found: &mut [Option<DVec2>]) {
-    let mut queue: VecDeque<FaceId> = mesh.topology().faces().filter(|f| found[f.index()].is_some()).collect();
-    for start in mesh.topology().faces() {
+    let mut queue: VecDeque<Face<'_, Mesh>> = mesh.faces().filter(|f| found[f.index()].is_some()).collect();
+    for start in mesh.faces() {
         while let Some(face) = queue.pop_front() {
             let Some(direction) = found[face.index()] else { continue };
             for (k, half_edge) in face.half_edges().into_iter().enumerate() {
-                let Some(twin) = mesh.topology().twin(half_edge) else { continue };
+                let Some(twin) = half_edge.twin() else { continue };
                 let neighbour = twin.face();
                 if found[neighbour.index()].is_none() {
                     let here = shapes[face.index()].side_direction(k);
-                    let there = -shapes[neighbour.index()].side_direction((twin.0 % 3) as usize);
+                    let there = -shapes[neighbour.index()].side_direction(twin.index() % 3);
                     found[neighbour.index()] = there.rotate(conjugate(here).rotate(direction)).try_normalize();
                     queue.push_back(neighbour);
                 }
@@ -66,11 +65,11 @@ mod tests {
 
     /// In space, the direction that each face was given.
     fn in_space(mesh: &Mesh, found: &[Option<DVec2>]) -> Vec<DVec3> {
-        let space = |face: FaceId| {
-            let [x, y] = face_axes(mesh, face, 1.0);
+        let space = |face: Face<'_, Mesh>| {
+            let [x, y] = face_axes(mesh, face.id(), 1.0);
             found[face.index()].map_or(DVec3::ZERO, |t| t.x * x + t.y * y)
         };
-        mesh.topology().faces().map(space).collect()
+        mesh.faces().map(space).collect()
     }
 
     #[test]
@@ -99,8 +98,8 @@ mod tests {
         let mesh = pelage_mesh::plane(1.0, 1.0, 1, 1).unwrap();
         let shapes = face_shapes(&mesh, 1.0);
         let field = DirectionField::toward(&mesh, DVec3::X).unwrap();
-        for (face, rotation) in mesh.topology().faces().zip(face_rotations(&mesh, &field, &shapes, 1.0)) {
-            let [x, y] = face_axes(&mesh, face, 1.0);
+        for (face, rotation) in mesh.faces().zip(face_rotations(&mesh, &field, &shapes, 1.0)) {
+            let [x, y] = face_axes(&mesh, face.id(), 1.0);
             let to_tile = |v: DVec3| rotation.rotate(DVec2::new(v.dot(x), v.dot(y)));
             assert!(to_tile(DVec3::X).distance(DVec2::Y) < 1e-12);
             assert!(to_tile(DVec3::Z).distance(DVec2::X) < 1e-12);

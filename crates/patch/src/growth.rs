@@ -4,7 +4,7 @@ use std::cmp::Reverse;
 use std::collections::BinaryHeap;
 
 use glam::DVec2;
-use pelage_mesh::{FaceId, HalfEdgeId, Topology, VertexId};
+use pelage_mesh::{Face, FaceId, Topology, Vertex, VertexId};
 
 use crate::disc::{Contact, Disc};
 use crate::distortion::Bounds;
@@ -75,7 +75,12 @@ impl<'a> Grower<'a> {
         let shape = &self.shapes[seed.index()];
         let rotation = self.rotations.map_or(orientation, |r| r[seed.index()]);
         let places = shape.corners.map(|p| rotation.rotate(p - shape.centre()));
-        Draft { faces: vec![seed], vertices: self.topology.face_vertices(seed).to_vec(), places: places.to_vec(), splotch }
+        Draft {
+            faces: vec![seed],
+            vertices: self.topology.face(seed).vertices().map(Vertex::id).to_vec(),
+            places: places.to_vec(),
+            splotch,
+        }
     }
 
     /// Grows a patch over uncovered faces inside its splotch times `swelling`. What it held it keeps, within the bounds.
@@ -138,7 +143,7 @@ impl<'a> Grower<'a> {
     }
 
     fn queue_neighbours(&mut self, face: FaceId) {
-        for neighbour in self.topology.face_neighbours(face).into_iter().flatten() {
+        for neighbour in self.topology.face(face).neighbours().map(Face::id) {
             if self.is_free(neighbour)
                 && let Some(places) = self.tentative(neighbour)
             {
@@ -158,7 +163,7 @@ impl<'a> Grower<'a> {
             return None;
         }
         let contact = self.disc.contact(self.topology, face);
-        let places = self.topology.face_vertices(face).map(|v| self.disc.place(v));
+        let places = self.topology.face(face).vertices().map(|v| self.disc.place(v.id()));
         match contact {
             Contact::Barred => None,
             Contact::Wedge => Some([places[0]?, places[1]?, places[2]?]),
@@ -184,15 +189,15 @@ impl<'a> Grower<'a> {
     /// The rotation of the face across a side, carried over that side. It is taken from all sides of that face, for a short side's image says
     /// little: in a row of needles each error would be magnified by the next.
     fn unfolded_rotation(&self, face: FaceId, side: usize) -> DVec2 {
-        let Some(twin) = self.topology.twin(face.half_edges()[side]) else { return DVec2::ZERO };
+        let Some(twin) = self.topology.face(face).half_edges()[side].twin() else { return DVec2::ZERO };
         let across = twin.face();
         let shape = &self.shapes[across.index()];
-        let places = self.topology.face_vertices(across).map(|v| self.disc.place(v).unwrap_or_default());
+        let places = across.vertices().map(|v| self.disc.place(v.id()).unwrap_or_default());
         let rotation = (0..3).fold(DVec2::ZERO, |sum, k| {
             let (flat, placed) = (shape.corners[(k + 1) % 3] - shape.corners[k], places[(k + 1) % 3] - places[k]);
             sum + DVec2::new(flat.dot(placed), flat.perp_dot(placed))
         });
-        let there = -shape.side_direction((twin.0 % 3) as usize);
+        let there = -shape.side_direction(twin.index() % 3);
         let here = self.shapes[face.index()].side_direction(side);
         conjugate(here).rotate(there).rotate(rotation.normalize_or_zero())
     }
@@ -203,9 +208,9 @@ impl<'a> Grower<'a> {
 
     /// Whether the face lies within the swollen splotch, or else nothing but this patch could take it.
     fn reaches(&self, core: &Draft, face: FaceId, places: [DVec2; 3], swelling: f64) -> bool {
-        let neighbours = self.topology.face_neighbours(face);
-        let ours = neighbours.iter().flatten().filter(|&&n| self.disc.contains(n)).count();
-        let alone = neighbours.iter().flatten().all(|&n| self.disc.contains(n) || self.owners[n.index()] != UNCOVERED);
+        let neighbours = || self.topology.face(face).neighbours().map(Face::id);
+        let ours = neighbours().filter(|&n| self.disc.contains(n)).count();
+        let alone = neighbours().all(|n| self.disc.contains(n) || self.owners[n.index()] != UNCOVERED);
         let reach = if ours > 1 { swelling * WEDGE_REACH } else { swelling };
         alone || core.splotch.contains(centre(places), reach)
     }
@@ -277,7 +282,7 @@ impl<'a> Grower<'a> {
                 continue;
             }
             self.disc.push(self.topology, face, old[rank as usize].1);
-            for neighbour in face.half_edges().into_iter().filter_map(|h| self.topology.twin(h)).map(HalfEdgeId::face) {
+            for neighbour in self.topology.face(face).neighbours().map(Face::id) {
                 let rank = self.ranks[neighbour.index()];
                 if rank != u32::MAX {
                     self.frontier.push(Reverse((u64::from(rank), neighbour.0)));

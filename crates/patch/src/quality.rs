@@ -2,7 +2,7 @@
 
 use glam::DVec2;
 use pelage_field::DirectionField;
-use pelage_mesh::{FaceId, Mesh};
+use pelage_mesh::{Face, Mesh};
 
 use crate::connectivity::is_disc;
 use crate::distortion::Jacobian;
@@ -130,11 +130,12 @@ impl PatchTiling {
 
     /// Of the edges between patches, and of all; in model units.
     fn seam_lengths(&self, mesh: &Mesh) -> (f64, f64) {
-        let topology = mesh.topology();
-        let patch = |face: FaceId| self.patch_of_face().get(face.index());
-        topology.edges().fold((0.0, 0.0), |(seam, total), edge| {
-            let length = mesh.position(topology.origin(edge)).distance(mesh.position(topology.tip(edge)));
-            let parts = topology.twin(edge).is_some_and(|twin| patch(edge.face()) != patch(twin.face()));
+        let patch = |face: Face<'_, Mesh>| self.patch_of_face().get(face.index());
+        mesh.edges().fold((0.0, 0.0), |(seam, total), edge| {
+            let length = edge.length();
+            let mut sides = edge.faces().map(patch);
+            let first = sides.next();
+            let parts = sides.any(|other| Some(other) != first);
             (if parts { seam + length } else { seam }, total + length)
         })
     }

@@ -1,7 +1,7 @@
 //! The intrinsic shape of each face: laid out flat, in tiles, with the weights of its sides.
 
 use glam::{DVec2, DVec3};
-use pelage_mesh::{FaceId, Mesh};
+use pelage_mesh::{Face, FaceId, Mesh};
 
 /// Least slack of the triangle inequality in the weights, as a fraction of the face's mean side: intrinsic mollification (Sharp and Crane
 /// 2020, section 4.5), which bounds the cotangents of slivers.
@@ -22,7 +22,7 @@ pub(crate) struct FaceShape {
 
 /// Every face's shape.
 pub(crate) fn face_shapes(mesh: &Mesh, tile_side: f64) -> Vec<FaceShape> {
-    let sides: Vec<[DVec3; 2]> = mesh.topology().faces().map(|face| sides_in_tiles(mesh, face, tile_side)).collect();
+    let sides: Vec<[DVec3; 2]> = mesh.faces().map(|face| sides_in_tiles(face, tile_side)).collect();
     let total: f64 = sides.iter().map(|[u, v]| u.length() + v.length() + u.distance(*v)).sum();
     // Keeps faces that are a single point from dividing by zero.
     let floor = if total > 0.0 { 1e-12 * total / (3 * sides.len()) as f64 } else { 1.0 };
@@ -31,15 +31,15 @@ pub(crate) fn face_shapes(mesh: &Mesh, tile_side: f64) -> Vec<FaceShape> {
 
 /// The area of each face in tiles, and the flat frame (x, y) of the same layout in space.
 pub(crate) fn face_axes(mesh: &Mesh, face: FaceId, tile_side: f64) -> [DVec3; 2] {
-    let [u, v] = sides_in_tiles(mesh, face, tile_side);
+    let [u, v] = sides_in_tiles(mesh.face(face), tile_side);
     let x = u.normalize_or_zero();
     // Gram and Schmidt, twice over, as once loses the small angle of a needle.
     let y = (v - x * v.dot(x)).normalize_or_zero();
     [x, (y - x * y.dot(x)).normalize_or_zero()]
 }
 
-fn sides_in_tiles(mesh: &Mesh, face: FaceId, tile_side: f64) -> [DVec3; 2] {
-    let [a, b, c] = mesh.face_positions(face);
+fn sides_in_tiles(face: Face<'_, Mesh>, tile_side: f64) -> [DVec3; 2] {
+    let [a, b, c] = face.positions();
     [(b - a) / tile_side, (c - a) / tile_side]
 }
 

@@ -3,7 +3,7 @@
 use std::ops::Range;
 
 use glam::DVec2;
-use pelage_mesh::{FaceId, Mesh, VertexId};
+use pelage_mesh::{FaceId, Mesh, Vertex, VertexId};
 
 use crate::PatchError;
 use crate::growth::Draft;
@@ -77,7 +77,7 @@ impl PatchTiling {
         for (patch, faces) in faces_of_patches.iter().enumerate() {
             let patch = patch as u32;
             let mut vertices = Vec::new();
-            for vertex in faces.iter().flat_map(|&f| mesh.topology().face_vertices(f)) {
+            for vertex in faces.iter().flat_map(|&f| mesh.face(f).vertices()).map(Vertex::id) {
                 if std::mem::replace(&mut seen[vertex.index()], patch) != patch {
                     vertices.push(vertex);
                 }
@@ -112,7 +112,7 @@ impl PatchTiling {
         }
         for &face in faces {
             self.patch_of_face[face.index()] = self.patches.len() as u32;
-            self.faces.push(mesh.topology().face_vertices(face).map(|v| slots[v.index()]));
+            self.faces.push(mesh.face(face).vertices().map(|v| slots[v.index()]));
         }
         self.surface_faces.extend_from_slice(faces);
         self.vertices.extend_from_slice(vertices);

@@ -67,7 +67,7 @@ fn high_valence() {
 
 fn assert_reproduced(mesh: &Mesh, tiling: &PatchTiling) {
     assert_eq!(tiling.patches().len(), 1);
-    let ends = |v: usize| (mesh.position(tiling.vertices()[v]), tiling.coordinates()[v]);
+    let ends = |v: usize| (mesh.vertex(tiling.vertices()[v]).position(), tiling.coordinates()[v]);
     for v in 0..tiling.vertices().len() {
         let ((p, s), (q, t)) = (ends(0), ends(v));
         assert!((p.distance(q) - s.distance(t)).abs() < 1e-5);

@@ -31,7 +31,7 @@ fn plane_is_reproduced_along_the_field() {
     assert!(tiling.patches().iter().any(|p| p.faces().len() > 500), "patches are large enough to drift");
     for patch in tiling.patches() {
         let flat = |v: usize| {
-            let p = mesh.position(tiling.vertices()[v]);
+            let p = mesh.vertex(tiling.vertices()[v]).position();
             DVec2::new(p.z, p.x) / 0.25
         };
         let shift = tiling.coordinates()[patch.vertices().start] - flat(patch.vertices().start);
@@ -50,7 +50,7 @@ fn plane_is_reproduced_without_a_field() {
     for patch in tiling.patches() {
         let first = patch.vertices().start;
         for v in patch.vertices() {
-            let wanted = mesh.position(tiling.vertices()[v]).distance(mesh.position(tiling.vertices()[first])) / 0.25;
+            let wanted = mesh.vertex(tiling.vertices()[v]).position().distance(mesh.vertex(tiling.vertices()[first]).position()) / 0.25;
             assert!((tiling.coordinates()[v].distance(tiling.coordinates()[first]) - wanted).abs() < 1e-5);
         }
     }

@@ -5,7 +5,7 @@ mod common;
 
 use glam::{DVec2, DVec3};
 use pelage_field::DirectionField;
-use pelage_mesh::{FaceId, Mesh, VertexId, plane, sphere};
+use pelage_mesh::{Face, FaceId, Mesh, VertexId, plane, sphere};
 use pelage_patch::{PatchTiling, Quality, Settings};
 
 const TILE: f64 = 0.25;
@@ -14,7 +14,7 @@ const TILE: f64 = 0.25;
 fn mapped_plane(map: impl Fn(DVec2) -> DVec2) -> (Mesh, DirectionField, PatchTiling) {
     let mesh = plane(1.0, 1.0, 4, 4).unwrap();
     let field = DirectionField::toward(&mesh, DVec3::X).unwrap();
-    let place = |_, v: VertexId| map(DVec2::new(mesh.position(v).z, mesh.position(v).x) / TILE);
+    let place = |_, v: VertexId| map(DVec2::new(mesh.vertex(v).position().z, mesh.vertex(v).position().x) / TILE);
     let tiling = PatchTiling::from_places(&mesh, TILE, &[0; 32], place).unwrap();
     (mesh, field, tiling)
 }
@@ -48,13 +48,13 @@ fn stretch_turning_and_flips_are_measured() {
 #[test]
 fn seams_are_measured_and_rings_are_no_discs() {
     let mesh = plane(4.0, 4.0, 4, 4).unwrap();
-    let halves: Vec<u32> = mesh.topology().faces().map(|f| u32::from(mesh.face_centre(f).x > 0.0)).collect();
-    let flat = |_, v: VertexId| DVec2::new(mesh.position(v).z, mesh.position(v).x);
+    let halves: Vec<u32> = mesh.faces().map(|f| u32::from(f.centre().x > 0.0)).collect();
+    let flat = |_, v: VertexId| DVec2::new(mesh.vertex(v).position().z, mesh.vertex(v).position().x);
     let quality = PatchTiling::from_places(&mesh, 1.0, &halves, flat).unwrap().quality(&mesh, None);
     assert!((quality.seam_length - 4.0 / 32_f64.sqrt()).abs() < 1e-12 && quality.all_discs);
     assert!((quality.seam_fraction - 4.0 / (40.0 + 16.0 * 2_f64.sqrt())).abs() < 1e-12);
-    let inner = |f: FaceId| mesh.face_centre(f).abs().max_element() < 1.0;
-    let ring: Vec<u32> = mesh.topology().faces().map(|f| u32::from(inner(f))).collect();
+    let inner = |f: Face<'_, Mesh>| f.centre().abs().max_element() < 1.0;
+    let ring: Vec<u32> = mesh.faces().map(|f| u32::from(inner(f))).collect();
     assert!(!PatchTiling::from_places(&mesh, 1.0, &ring, flat).unwrap().quality(&mesh, None).all_discs);
 }
 
@@ -77,8 +77,8 @@ fn face_at_a_time(mesh: &Mesh, field: &DirectionField, tile_side: f64) -> PatchT
     let patches: Vec<u32> = (0..mesh.topology().face_count() as u32).collect();
     let place = |patch: u32, vertex: VertexId| {
         let t = field.on_face(mesh, FaceId(patch));
-        let s = t.cross(mesh.face_normal(FaceId(patch)));
-        let p = mesh.position(vertex) - mesh.face_centre(FaceId(patch));
+        let s = t.cross(mesh.face(FaceId(patch)).normal());
+        let p = mesh.vertex(vertex).position() - mesh.face(FaceId(patch)).centre();
         DVec2::new(p.dot(s), p.dot(t)) / tile_side
     };
     PatchTiling::from_places(mesh, tile_side, &patches, place).unwrap()
@@ -86,9 +86,9 @@ fn face_at_a_time(mesh: &Mesh, field: &DirectionField, tile_side: f64) -> PatchT
 
 /// Two patches, front and back, looked at along x.
 fn projection(mesh: &Mesh, tile_side: f64) -> PatchTiling {
-    let patches: Vec<u32> = mesh.topology().faces().map(|f| u32::from(mesh.face_normal(f).x < 0.0)).collect();
+    let patches: Vec<u32> = mesh.faces().map(|f| u32::from(f.normal().x < 0.0)).collect();
     let place = |patch: u32, vertex: VertexId| {
-        let p = mesh.position(vertex);
+        let p = mesh.vertex(vertex).position();
         DVec2::new(if patch == 0 { -p.z } else { p.z }, p.y) / tile_side
     };
     PatchTiling::from_places(mesh, tile_side, &patches, place).unwrap()

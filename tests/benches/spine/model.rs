@@ -31,8 +31,8 @@ pub fn five_thousand_faces() -> Result<Model, Error> {
     for p in ball.positions() {
         writeln!(text, "v {} {} {}", p.x, p.y, p.z)?;
     }
-    for face in ball.topology().faces() {
-        let [a, b, c] = ball.topology().face_vertices(face).map(|v| v.0 + 1);
+    for face in ball.faces() {
+        let [a, b, c] = face.vertices().map(|v| v.id().0 + 1);
         writeln!(text, "f {a} {b} {c}")?;
     }
     std::fs::write(&path, text)?;

@@ -8,8 +8,8 @@ fn close(a: f64, b: f64, relative: f64) {
 }
 
 fn all_outwards(mesh: &Mesh, outward: impl Fn(DVec3) -> DVec3) {
-    for face in mesh.topology().faces() {
-        let cosine = mesh.face_normal(face).dot(outward(mesh.face_centre(face)).normalize());
+    for face in mesh.faces() {
+        let cosine = face.normal().dot(outward(face.centre()).normalize());
         assert!(cosine > 0.5, "face {face:?} looks inwards: {cosine}");
     }
 }
@@ -21,9 +21,9 @@ fn plane_is_flat_and_faces_up() {
     assert_eq!((summary.vertices, summary.faces, summary.boundary_loops, summary.euler_characteristic), (42, 60, 1, 1));
     close(summary.area, 6.0, 1e-12);
     close(summary.diameter, 13_f64.sqrt(), 1e-12);
-    assert!(mesh.topology().faces().all(|face| mesh.face_normal(face).distance(DVec3::Y) < 1e-12));
-    for (h, uv) in mesh.topology().half_edges().zip(mesh.texture_coordinates().unwrap()) {
-        let p = mesh.position(mesh.topology().origin(h));
+    assert!(mesh.faces().all(|face| face.normal().distance(DVec3::Y) < 1e-12));
+    for (h, uv) in mesh.half_edges().zip(mesh.texture_coordinates().unwrap()) {
+        let p = h.origin().position();
         assert!(DVec2::new(p.x / 3.0 + 0.5, 0.5 - p.z / 2.0).distance(*uv) < 1e-12);
     }
 }
@@ -37,7 +37,7 @@ fn sphere_is_closed_and_even() {
         assert_eq!((summary.euler_characteristic, summary.genus, summary.boundary_loops, summary.components), (2, 0, 0, 1));
         assert!(mesh.positions().iter().all(|p| (p.length() - 2.0).abs() < 1e-12));
         all_outwards(&mesh, |p| p);
-        let areas = mesh.topology().faces().map(|face| mesh.face_area(face));
+        let areas = mesh.faces().map(crate::Face::area);
         let (least, most) = areas.fold((f64::INFINITY, 0.0_f64), |(least, most), area| (least.min(area), most.max(area)));
         assert!(most / least < 1.35, "areas differ by {}", most / least);
         if subdivisions == 40 {

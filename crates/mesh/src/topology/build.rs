@@ -63,13 +63,13 @@ impl Topology {
     /// Each vertex has one fan: all that leaves it is reached from its entry.
     fn check_fans(&self) -> Result<(), TopologyError> {
         // A half-edge is in one fan only, so that the fans hold all of them exactly when none is missed.
-        let reached: usize = self.vertices().map(|vertex| self.leaving(vertex).count()).sum();
+        let reached: usize = self.vertices().map(|vertex| vertex.leaving().count()).sum();
         if reached == self.half_edge_count() {
             return Ok(());
         }
         let counts = self.leaving_counts();
-        let torn = self.vertices().find(|&vertex| self.leaving(vertex).count() != counts[vertex.index()] as usize);
-        torn.map_or(Ok(()), |vertex| Err(TopologyError::NonManifoldVertex { vertex: vertex.0 }))
+        let torn = self.vertices().find(|vertex| vertex.leaving().count() != counts[vertex.index()] as usize);
+        torn.map_or(Ok(()), |vertex| Err(TopologyError::NonManifoldVertex { vertex: vertex.id().0 }))
     }
 
     /// How many half-edges leave each vertex.

@@ -74,10 +74,10 @@ impl Topology {
             if (first == NONE) != (count == 0) {
                 return broken(first as usize, "a vertex has a fan exactly when a half-edge leaves it");
             }
-            if first != NONE && self.origins.get(first as usize) != Some(&vertex) {
+            if first != NONE && self.origins.get(first as usize) != Some(&vertex.id()) {
                 return broken(first as usize, "the fan of a vertex starts at a half-edge that does not leave it");
             }
-            if self.leaving(vertex).take(count as usize + 1).count() != count as usize {
+            if vertex.leaving().take(count as usize + 1).count() != count as usize {
                 return broken(first as usize, "the fan of its origin does not reach every half-edge that leaves it");
             }
         }
@@ -126,7 +126,7 @@ mod tests {
         assert!(what(|t| t.leaving[4] = 0).contains("does not leave"));
         assert!(what(|t| t.leaving[4] = 1000).contains("does not leave"));
         // A boundary fan entered in the middle misses what lies to its right.
-        let middle = |t: &mut Topology| t.leaving[2] = t.rotate_left(HalfEdgeId(t.leaving[2])).unwrap().0;
+        let middle = |t: &mut Topology| t.leaving[2] = t.half_edge(HalfEdgeId(t.leaving[2])).rotate_left().unwrap().id().0;
         assert!(what(middle).contains("does not reach"));
     }
 

@@ -73,12 +73,12 @@ fn surface(dressing: &Dressing, frame: &Frame) -> Surface {
     let normals = mesh.vertex_normals();
     let lean = HairLean::of(dressing.strands, dressing.tiling.tile_side() / frame.diameter, dressing.length);
     let mut surface = Surface::default();
-    for vertex in mesh.topology().vertices() {
+    for vertex in mesh.vertices() {
         let normal = normals[vertex.index()];
-        let along = dressing.directions.map_or(DVec3::ZERO, |field| field.at_vertex(vertex));
+        let along = dressing.directions.map_or(DVec3::ZERO, |field| field.at_vertex(vertex.id()));
         let local = dressing.lengths.map_or(1.0, |field| f64::from(field.values()[vertex.index()]).max(0.0));
         let up = stand(normal, along, dressing.slant);
-        surface.positions.push(frame.place(mesh.position(vertex)));
+        surface.positions.push(frame.place(vertex.position()));
         surface.normals.push(normal.as_vec3());
         surface.offsets.push((dressing.length * local * up).as_vec3());
         surface.directions.push(hair_direction(lean, normal, along, up).as_vec3());

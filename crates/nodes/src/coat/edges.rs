@@ -2,7 +2,7 @@
 
 use glam::DVec2;
 use pelage_coat::{FinEdges, Frame, Surface};
-use pelage_mesh::{HalfEdgeId, Mesh};
+use pelage_mesh::{Edge, HalfEdge, Mesh};
 use pelage_patch::PatchTiling;
 use rand::{RngExt, SeedableRng};
 use rand_pcg::Pcg64Mcg;
@@ -11,24 +11,24 @@ use super::dress::Dressing;
 
 /// Every edge with fur at one end at least, each with a random interval of the fin texture whose length is the edge's in tile coordinates (L9).
 pub(crate) fn fin_edges(dressing: &Dressing, surface: &Surface, frame: &Frame) -> FinEdges {
-    let (mesh, topology) = (dressing.mesh, dressing.mesh.topology());
+    let mesh = dressing.mesh;
     let tiles_across = dressing.fin.as_ref().map_or(1.0, |fin| f64::from(fin.tiles_across));
-    let places = face_places(dressing.tiling, topology.face_count());
+    let places = face_places(dressing.tiling, mesh.topology().face_count());
     let mut edges = FinEdges::default();
-    for half_edge in topology.edges() {
-        let ends = [topology.origin(half_edge), topology.tip(half_edge)];
+    for edge in mesh.edges() {
+        let ends = edge.vertices();
         if ends.iter().all(|v| surface.offsets[v.index()] == glam::Vec3::ZERO) {
             continue;
         }
-        let twin = topology.twin(half_edge);
-        let span = tile_length(dressing.tiling, &places, half_edge, twin) / tiles_across;
+        let span = tile_length(dressing.tiling, &places, edge) / tiles_across;
         // Seeded by the edge itself, so that a change elsewhere leaves this fin as it is.
-        let start: f64 = Pcg64Mcg::seed_from_u64(dressing.seed ^ (u64::from(ends[0].0) << 32 | u64::from(ends[1].0))).random();
-        let faces = [half_edge.face(), twin.unwrap_or(half_edge).face()];
-        edges.vertices.push(ends.map(|v| v.0));
+        let start: f64 = Pcg64Mcg::seed_from_u64(dressing.seed ^ (u64::from(ends[0].id().0) << 32 | u64::from(ends[1].id().0))).random();
+        let near = edge.half_edge();
+        let faces = [near.face(), near.twin().unwrap_or(near).face()];
+        edges.vertices.push(ends.map(|v| v.id().0));
         edges.intervals.push([start as f32, (start + span) as f32]);
-        edges.face_normals.push(faces.map(|face| mesh.face_normal(face).as_vec3()));
-        edges.curvatures.push((curvature(mesh, half_edge, twin) * frame.diameter) as f32);
+        edges.face_normals.push(faces.map(|face| face.normal().as_vec3()));
+        edges.curvatures.push((curvature(edge) * frame.diameter) as f32);
     }
     edges
 }
@@ -43,22 +43,23 @@ fn face_places(tiling: &PatchTiling, face_count: usize) -> Vec<u32> {
 }
 
 /// The edge's length in tiles: the mean of what the patches on its two sides say, which differ where the edge is a seam.
-fn tile_length(tiling: &PatchTiling, places: &[u32], half_edge: HalfEdgeId, twin: Option<HalfEdgeId>) -> f64 {
-    let on_side = |h: HalfEdgeId| {
+fn tile_length(tiling: &PatchTiling, places: &[u32], edge: Edge<'_, Mesh>) -> f64 {
+    let on_side = |h: HalfEdge<'_, Mesh>| {
         let corners = tiling.faces()[places[h.face().index()] as usize];
         let k = h.index() % 3;
         let place = |corner: u32| -> DVec2 { tiling.coordinates()[corner as usize] };
         place(corners[k]).distance(place(corners[(k + 1) % 3]))
     };
-    twin.map_or_else(|| on_side(half_edge), |twin| 0.5 * (on_side(half_edge) + on_side(twin)))
+    let near = on_side(edge.half_edge());
+    edge.half_edge().twin().map_or(near, |twin| 0.5 * (near + on_side(twin)))
 }
 
 /// The angle between the normals of the two faces over the distance between their centres, in radians a model unit; 0 at a boundary.
-fn curvature(mesh: &Mesh, half_edge: HalfEdgeId, twin: Option<HalfEdgeId>) -> f64 {
-    let Some(twin) = twin else { return 0.0 };
-    let (a, b) = (half_edge.face(), twin.face());
-    let (normal_a, normal_b) = (mesh.face_normal(a), mesh.face_normal(b));
-    let distance = mesh.face_centre(a).distance(mesh.face_centre(b));
+fn curvature(edge: Edge<'_, Mesh>) -> f64 {
+    let Some(twin) = edge.half_edge().twin() else { return 0.0 };
+    let (a, b) = (edge.half_edge().face(), twin.face());
+    let (normal_a, normal_b) = (a.normal(), b.normal());
+    let distance = a.centre().distance(b.centre());
     let angle = normal_a.cross(normal_b).length().atan2(normal_a.dot(normal_b));
     if distance > 0.0 { angle / distance } else { 0.0 }
 }

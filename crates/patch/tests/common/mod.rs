@@ -41,9 +41,9 @@ fn check_arrays(mesh: &Mesh, tiling: &PatchTiling) {
         for row in patch.faces() {
             let surface = tiling.surface_faces()[row];
             assert_eq!(tiling.patch_of_face()[surface.index()] as usize, index);
-            for (corner, under) in tiling.faces()[row].into_iter().zip(mesh.topology().face_vertices(surface)) {
+            for (corner, under) in tiling.faces()[row].into_iter().zip(mesh.face(surface).vertices()) {
                 assert!(patch.vertices().contains(&(corner as usize)));
-                assert_eq!(tiling.vertices()[corner as usize], under);
+                assert_eq!(tiling.vertices()[corner as usize], under.id());
             }
         }
         let mut under: Vec<_> = tiling.vertices()[patch.vertices()].to_vec();
