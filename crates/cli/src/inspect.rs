@@ -21,7 +21,7 @@ pub(crate) struct Inspect {
 
 impl Inspect {
     pub(crate) fn run(&self) -> Result<(), Failure> {
-        let mesh = read_obj(&self.model).map_err(|error| Failure::Input(error.to_string()))?;
+        let mesh = read_obj(&self.model).map_err(|error| Failure::Input(error.to_string()))?.mesh;
         let summary = Summary::of(&mesh);
         if self.json {
             return print(&format!("{:#}\n", as_json(&summary)));

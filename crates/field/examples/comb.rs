@@ -11,7 +11,7 @@ use pelage_mesh::{Mesh, read_obj, torus};
 
 fn main() -> Result<(), Box<dyn Error>> {
     let mesh = match std::env::args_os().nth(1) {
-        Some(path) => read_obj(Path::new(&path))?,
+        Some(path) => read_obj(Path::new(&path))?.mesh,
         None => torus(1.0, 0.4, 80, 48)?,
     };
     let toward = DirectionField::toward(&mesh, DVec3::X)?;

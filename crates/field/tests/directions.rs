@@ -9,7 +9,7 @@ use pelage_mesh::{Edge, Mesh, Vertex, plane, read_obj, rounded_die, sphere, toru
 
 /// The clean models of the folder `PELAGE_MODELS`, and our own.
 fn models() -> Vec<(String, Mesh)> {
-    let bunny = read_obj(&Path::new(env!("CARGO_MANIFEST_DIR")).join("../../graphs/models/bunny.obj")).unwrap();
+    let bunny = read_obj(&Path::new(env!("CARGO_MANIFEST_DIR")).join("../../graphs/models/bunny.obj")).unwrap().mesh;
     let corners = vec![DVec3::ZERO, DVec3::X, DVec3::Y, DVec3::Z];
     let tetrahedron = Mesh::from_triangles(corners, &[[0, 2, 1], [0, 1, 3], [1, 2, 3], [2, 0, 3]]).unwrap();
     let mut models = vec![
@@ -35,7 +35,7 @@ fn models() -> Vec<(String, Mesh)> {
         faults.iter().all(|&fault| model[fault] == 0) && model["genus"].as_f64().is_some_and(|genus| genus.fract() == 0.0)
     };
     let clean = topology.into_iter().filter(|(_, model)| is_clean(model));
-    let read: Vec<_> = clean.map(|(name, _)| (name.clone(), read_obj(&real.join(format!("{name}.obj"))).unwrap())).collect();
+    let read: Vec<_> = clean.map(|(name, _)| (name.clone(), read_obj(&real.join(format!("{name}.obj"))).unwrap().mesh)).collect();
     assert!(read.len() >= 12);
     models.extend(read);
     models

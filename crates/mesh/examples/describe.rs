@@ -9,7 +9,12 @@ use pelage_mesh::{Summary, read_obj, torus};
 
 fn main() -> Result<(), Box<dyn Error>> {
     let mesh = match std::env::args_os().nth(1) {
-        Some(path) => read_obj(Path::new(&path))?,
+        Some(path) => {
+            let import = read_obj(Path::new(&path))?;
+            println!("repairs: {}", import.repairs);
+            import.notes.iter().for_each(|note| println!("note: {note}"));
+            import.mesh
+        }
         None => torus(1.0, 0.4, 48, 24)?,
     };
     let summary = Summary::of(&mesh);

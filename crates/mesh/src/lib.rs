@@ -36,6 +36,7 @@ mod geometry;
 mod handles;
 mod obj;
 mod primitives;
+mod repair;
 mod summary;
 mod topology;
 mod vector;
@@ -43,8 +44,9 @@ mod views;
 
 pub use geometry::{Mesh, MeshError};
 pub use handles::{FaceId, HalfEdgeId, VertexId};
-pub use obj::{ObjError, ObjFault, parse_obj, read_obj};
+pub use obj::{Import, Note, ObjError, ObjFault, parse_obj, read_obj};
 pub use primitives::{MOST_PRIMITIVE_FACES, PrimitiveError, plane, rounded_die, sphere, torus};
+pub use repair::{RepairError, RepairReport, RepairSettings, Repaired, Soup, WELD_TOLERANCE, repair};
 pub use summary::Summary;
 pub use topology::{BrokenInvariant, Topology, TopologyError};
 pub use vector::{angle_between, unit};

@@ -8,7 +8,9 @@ use pelage_mesh::{Summary, read_obj};
 #[test]
 fn the_shipped_bunny_is_closed_and_wound_outwards() {
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../graphs/models/bunny.obj");
-    let mesh = read_obj(&path).unwrap();
+    let import = read_obj(&path).unwrap();
+    assert!(import.repairs.is_none() && import.notes.is_empty(), "{import:?}");
+    let mesh = import.mesh;
     assert_eq!(mesh.topology().check(), Ok(()));
     let summary = Summary::of(&mesh);
     assert_eq!((summary.vertices, summary.faces, summary.unreferenced_vertices), (1839, 3674, 0));

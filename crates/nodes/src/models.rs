@@ -15,7 +15,7 @@ pub struct ObjFile {
 
 impl Evaluate for ObjFile {
     fn evaluate(&self, _: &mut Context<'_>) -> Result<Self::Outputs, NodeError> {
-        Ok(pelage_mesh::read_obj(self.path.as_path())?.into())
+        Ok(pelage_mesh::read_obj(self.path.as_path())?.mesh.into())
     }
 }
 

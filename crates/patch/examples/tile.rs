@@ -13,7 +13,7 @@ use pelage_patch::{Settings, grow};
 fn main() -> Result<(), Box<dyn Error>> {
     let mut arguments = std::env::args().skip(1);
     let mesh = match arguments.next() {
-        Some(path) => pelage_mesh::read_obj(path.as_ref())?,
+        Some(path) => pelage_mesh::read_obj(path.as_ref())?.mesh,
         None => pelage_mesh::rounded_die(2.0, 0.3, 11)?,
     };
     let mut settings = Settings::for_mesh(&mesh);

@@ -3,9 +3,9 @@
 use std::fmt;
 use std::path::{Path, PathBuf};
 
-use crate::MeshError;
+use crate::RepairError;
 
-/// An OBJ file that gives no mesh. It displays as `file, line: what is wrong; how to mend it`.
+/// An OBJ file that gives no mesh, even mended. It displays as `file, line: what is wrong; how to mend it`.
 #[derive(Debug)]
 pub struct ObjError {
     /// The file, if it came from one.
@@ -26,9 +26,12 @@ pub enum ObjFault {
     /// There is no face.
     #[error("no face (a line like `f 1 2 3`) was found, so there is no surface; is it an OBJ file?")]
     NoFaces,
-    /// A statement holds bytes that are no UTF-8.
-    #[error("the line is not text; save the file as text in UTF-8")]
-    NotText,
+    /// It is text of two bytes a character.
+    #[error("the text is UTF-16, and an OBJ file has one byte a letter; save it as UTF-8 or plain text")]
+    Utf16,
+    /// There is no face, and there are bytes that no text has.
+    #[error("the file is binary, and no face (a line like `f 1 2 3`) was found; export the model as Wavefront OBJ")]
+    Binary,
     /// A `v` line is not three numbers.
     #[error("a vertex needs three numbers, like `v 0.5 1 -2`")]
     BadVertex,
@@ -38,11 +41,17 @@ pub enum ObjFault {
     /// An `f` line is not indices.
     #[error("a face needs corners like `1`, `1/2`, `1//3` or `1/2/3`, each number whole and not 0")]
     BadFace,
+    /// An index has more digits than any file has vertices.
+    #[error("an index of {digits} digits is larger than any file has vertices; mend the number")]
+    IndexTooLarge {
+        /// How many digits it has.
+        digits: usize,
+    },
     /// A face names a vertex that is not there.
     #[error("the face names vertex {index}, but the file has {count}; indices start at 1, or at -1 from the last line back")]
     VertexOutOfRange {
         /// What the face says.
-        index: String,
+        index: i64,
         /// How many vertices there are.
         count: usize,
     },
@@ -50,21 +59,9 @@ pub enum ObjFault {
     #[error("the face names texture coordinates {index}, but the file has {count}; add them or remove the index")]
     CoordinatesOutOfRange {
         /// What the face says.
-        index: String,
+        index: i64,
         /// How many pairs of texture coordinates there are.
         count: usize,
-    },
-    /// A face with fewer than three corners.
-    #[error("the face has {corners} corners; give it three or more, or remove it")]
-    TooFewCorners {
-        /// How many it has.
-        corners: usize,
-    },
-    /// A face that touches a vertex twice.
-    #[error("the face uses vertex {vertex} twice; remove it")]
-    RepeatedVertex {
-        /// The vertex.
-        vertex: u32,
     },
     /// A coordinate that is no finite number.
     #[error("vertex {vertex} has a coordinate that is NaN, infinite or too large; mend the number")]
@@ -75,41 +72,9 @@ pub enum ObjFault {
     /// A texture coordinate that is no finite number.
     #[error("the face uses texture coordinates that are NaN, infinite or too large; mend the number")]
     CoordinateNotFinite,
-    /// Two faces run along an edge the same way.
-    #[error(
-        "this face and that of line {other_line} run along the edge from vertex {from} to {to} the same way; turn one of them if they \
-         face opposite ways, remove one if they are the same, or give a third face at an edge vertices of its own"
-    )]
-    EdgeUsedTwice {
-        /// Where the other face is.
-        other_line: usize,
-        /// Where the edge starts.
-        from: u32,
-        /// Where it ends.
-        to: u32,
-    },
-    /// The surface has one side.
-    #[error(
-        "the surface has one side only, like a Möbius strip: however its faces are turned, some neighbours clash, such as this face and that \
-         of line {other_line} at the edge between vertices {from} and {to}; cut it open along a line of edges, giving one side of the cut vertices of its own"
-    )]
-    NotOrientable {
-        /// Where the other face is.
-        other_line: usize,
-        /// One end of the edge.
-        from: u32,
-        /// The other.
-        to: u32,
-    },
-    /// Pieces of surface that touch at a vertex only.
-    #[error("several pieces of surface touch at vertex {vertex} only; give each a vertex of its own")]
-    NonManifoldVertex {
-        /// The vertex.
-        vertex: u32,
-    },
-    /// Any other reason why the numbers are no mesh.
+    /// The faces give no surface.
     #[error(transparent)]
-    Mesh(MeshError),
+    Repair(RepairError),
 }
 
 impl ObjError {
@@ -144,7 +109,7 @@ impl std::error::Error for ObjError {
     fn source(&self) -> Option<&(dyn std::error::Error + 'static)> {
         match &self.fault {
             ObjFault::Unreadable(error) => Some(error),
-            ObjFault::Mesh(error) => Some(error),
+            ObjFault::Repair(error) => Some(error),
             _ => None,
         }
     }

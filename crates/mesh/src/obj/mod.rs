@@ -1,39 +1,67 @@
 //! Wavefront OBJ files.
+//!
+//! What `tobj` gets wrong is dealt with before and after it: before, [`lines`] and [`statements`] go through the text, check it, and hand `tobj` the numbers
+//! only; after, the polygons are [repaired](crate::repair).
 
 mod error;
+mod lines;
+mod note;
+mod reader;
 mod statements;
 
 use std::path::Path;
 
 use glam::{DVec2, DVec3};
 
-use crate::{Mesh, MeshError, Topology, TopologyError};
+use crate::{FaceId, Mesh, RepairError, RepairReport, RepairSettings, Soup, repair};
 
 pub use error::{ObjError, ObjFault};
+pub use note::Note;
 
-use statements::{CountingReader, Statements};
+use reader::CountingReader;
+use statements::Statements;
 
-/// Reads an OBJ file.
+/// A mesh read from a file, and what it took.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Import {
+    /// The surface.
+    pub mesh: Mesh,
+    /// What was mended.
+    pub repairs: RepairReport,
+    /// What was left out.
+    pub notes: Vec<Note>,
+    /// The line of the file that each face comes from, from 1.
+    pub face_lines: Vec<u32>,
+}
+
+impl Import {
+    /// The line of the file that a face comes from, from 1.
+    pub fn face_line(&self, face: FaceId) -> usize {
+        self.face_lines[face.index()] as usize
+    }
+}
+
+/// Reads an OBJ file and [repairs](crate::repair) what it finds.
 ///
-/// Vertex *k* of the mesh is the file's *k*th `v` (from 0), used or not. Objects and groups are joined: all share the one list of
-/// vertices. Polygons are cut into fans, from their first corner. Texture coordinates are kept for each corner, and only if every corner
-/// has them; faces on either side of a texture seam share their vertices all the same. Normals, materials, colours, lines and points are
-/// passed over, no other file is opened.
+/// Objects and groups are joined: all share the one list of vertices. Texture coordinates are kept for each corner, and only if every corner has them;
+/// faces on either side of a texture seam share their vertices all the same. Normals, materials, colours, lines, points and free-form
+/// geometry are passed over, and no other file is opened, whatever it names.
 ///
 /// # Errors
-/// Where the file cannot be read or is no oriented manifold, with path and line.
+/// Where the file cannot be read, says something that is no OBJ, or has no surface; with path and line.
 ///
 /// ```
 /// # fn main() -> Result<(), pelage_mesh::ObjError> {
 /// # let path = std::env::temp_dir().join(format!("pelage-mesh-doc-{}.obj", std::process::id()));
 /// # std::fs::write(&path, "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n").unwrap();
-/// let mesh = pelage_mesh::read_obj(&path)?;
-/// assert_eq!(mesh.topology().face_count(), 1);
+/// let import = pelage_mesh::read_obj(&path)?;
+/// assert_eq!(import.mesh.topology().face_count(), 1);
+/// assert!(import.repairs.is_none());
 /// # std::fs::remove_file(&path).unwrap();
 /// # Ok(())
 /// # }
 /// ```
-pub fn read_obj(path: &Path) -> Result<Mesh, ObjError> {
+pub fn read_obj(path: &Path) -> Result<Import, ObjError> {
     let bytes = std::fs::read(path).map_err(|error| ObjError::whole(ObjFault::Unreadable(error)).in_file(path))?;
     parse_obj(&bytes).map_err(|error| error.in_file(path))
 }
@@ -41,108 +69,64 @@ pub fn read_obj(path: &Path) -> Result<Mesh, ObjError> {
 /// Reads the content of an OBJ file; see [`read_obj`].
 ///
 /// # Errors
-/// Where it is no oriented manifold, with the line.
-pub fn parse_obj(bytes: &[u8]) -> Result<Mesh, ObjError> {
+/// Where it says something that is no OBJ, or has no surface; with the line.
+pub fn parse_obj(bytes: &[u8]) -> Result<Import, ObjError> {
     let statements = Statements::scan(bytes)?;
-    if statements.faces() == 0 {
-        return Err(ObjError::whole(ObjFault::NoFaces));
-    }
-    let parsed = parse_statements(&statements)?;
-    let polygons = Polygons::after_the_first(&parsed, &statements)?;
-    let triangles = polygons.triangles(&parsed.indices);
-    let positions: Vec<DVec3> = parsed.positions.chunks_exact(3).map(DVec3::from_slice).collect();
-    let locate = |error| locate(error, &statements, &polygons);
-    let topology = Topology::from_triangles(positions.len(), &triangles).map_err(|error| locate(error.into()))?;
-    let mesh = Mesh::new(topology.into(), positions).map_err(locate)?;
-    if !statements.every_corner_has_coordinates() {
-        return Ok(mesh);
-    }
-    let coordinates: Vec<DVec2> = parsed.texcoords.chunks_exact(2).map(DVec2::from_slice).collect();
-    let corners = polygons.triangles(&parsed.texcoord_indices);
-    let per_corner = corners.as_flattened().iter().filter_map(|&index| coordinates.get(index as usize).copied()).collect();
-    mesh.with_texture_coordinates(per_corner).map_err(locate)
+    let soup = soup(&statements)?;
+    let lines = statements.face_lines();
+    let repaired = repair(soup, &RepairSettings::default()).map_err(|error| locate(error, &statements, &lines))?;
+    let face_lines = repaired.polygons.iter().map(|&polygon| lines[polygon as usize]).collect();
+    Ok(Import { mesh: repaired.mesh, repairs: repaired.report, notes: statements.notes(), face_lines })
 }
 
 /// Lets `tobj` parse the numbers.
 ///
 /// `tobj` numbers the vertices anew for each object, in the order in which faces use them, and drops the others. [`Statements`] hands it
 /// one object only, in which a first polygon goes through all vertices in order: so numbered, they keep their places.
-fn parse_statements(statements: &Statements<'_>) -> Result<tobj::Mesh, ObjError> {
-    let mut reader = CountingReader::new(statements.text());
-    let options = tobj::LoadOptions::default();
-    let result = tobj::load_obj_buf(&mut reader, &options, |_| Ok(Default::default()));
-    match result {
-        Ok((models, _)) => models.into_iter().next().map(|model| model.mesh).ok_or_else(|| ObjError::whole(ObjFault::NoFaces)),
-        Err(error) => Err(statements.fault(error, reader.line())),
-    }
+fn soup(statements: &Statements<'_>) -> Result<Soup, ObjError> {
+    let text = statements.text().map_err(|error| ObjError::whole(ObjFault::Unreadable(error)))?;
+    let mut reader = CountingReader::new(&text);
+    let result = tobj::load_obj_buf(&mut reader, &tobj::LoadOptions::default(), |_| Ok(Default::default()));
+    let lines_read = reader.line();
+    let (models, _) = result.map_err(|error| Statements::fault(error, lines_read))?;
+    drop(text);
+    let parsed = models.into_iter().next().map(|model| model.mesh).ok_or_else(|| ObjError::whole(ObjFault::NoFaces))?;
+    Ok(soup_of(parsed, statements))
 }
 
-/// Where each polygon's corners start and end among all corners.
-struct Polygons {
-    ends: Vec<usize>,
+/// All polygons but the first, which only numbers the vertices.
+fn soup_of(mut parsed: tobj::Mesh, statements: &Statements<'_>) -> Soup {
+    // `tobj` leaves the arities out where all are three.
+    let arity = |polygon: usize| parsed.face_arities.get(polygon).copied().unwrap_or(3);
+    let first = arity(0);
+    let ends = (1..=statements.faces()).scan(0, |end, polygon| {
+        *end += arity(polygon);
+        Some(*end)
+    });
+    let ends = ends.collect();
+    parsed.indices.drain(..(first as usize).min(parsed.indices.len()));
+    let mut soup = Soup {
+        positions: parsed.positions.chunks_exact(3).map(DVec3::from_slice).collect(),
+        corners: parsed.indices,
+        ends,
+        ..Soup::default()
+    };
+    if statements.have_coordinates() {
+        parsed.texcoord_indices.drain(..(first as usize).min(parsed.texcoord_indices.len()));
+        soup.texture_coordinates = parsed.texcoords.chunks_exact(2).map(DVec2::from_slice).collect();
+        soup.corner_coordinates = parsed.texcoord_indices;
+    }
+    soup
 }
 
-impl Polygons {
-    /// All but the first, which only numbers the vertices.
-    fn after_the_first(parsed: &tobj::Mesh, statements: &Statements<'_>) -> Result<Self, ObjError> {
-        let count = statements.faces() + 1;
-        // `tobj` leaves the arities out where all are three.
-        let arity = |polygon: usize| parsed.face_arities.get(polygon).map_or(3, |&arity| arity as usize);
-        let mut end = 0;
-        let mut ends = Vec::with_capacity(count);
-        for polygon in 0..count {
-            let corners = arity(polygon);
-            if polygon > 0 && corners < 3 {
-                return Err(ObjError::at(statements.face_line(polygon - 1), ObjFault::TooFewCorners { corners }));
-            }
-            end += corners;
-            ends.push(end);
-        }
-        Ok(Self { ends })
-    }
-
-    /// The corners of the polygons in `indices`, as fans of triangles.
-    fn triangles(&self, indices: &[u32]) -> Vec<[u32; 3]> {
-        let fans = self.ends.windows(2).filter_map(|ends| indices.get(ends[0]..ends[1]));
-        fans.flat_map(|polygon| (2..polygon.len()).map(|k| [polygon[0], polygon[k - 1], polygon[k]])).collect()
-    }
-
-    /// The polygon that a triangle is cut from.
-    fn of_triangle(&self, triangle: u32) -> usize {
-        let mut first = 0;
-        self.ends
-            .windows(2)
-            .position(|ends| {
-                first += (ends[1] - ends[0] - 2) as u64;
-                first > u64::from(triangle)
-            })
-            .unwrap_or(0)
-    }
-}
-
-/// Says of a fault of the mesh in which line it is.
-fn locate(error: MeshError, statements: &Statements<'_>, polygons: &Polygons) -> ObjError {
-    let line = |face| statements.face_line(polygons.of_triangle(face));
+/// Says of what cannot be mended in which line it is.
+fn locate(error: RepairError, statements: &Statements<'_>, lines: &[u32]) -> ObjError {
     match error {
-        MeshError::Topology(TopologyError::DegenerateFace { face, vertex }) => {
-            ObjError::at(line(face), ObjFault::RepeatedVertex { vertex: vertex + 1 })
+        RepairError::NotFinite { vertex } => {
+            ObjError { path: None, line: statements.vertex_line(vertex as usize), fault: ObjFault::NotFinite { vertex: vertex + 1 } }
         }
-        MeshError::Topology(TopologyError::EdgeUsedTwice { first, second, from, to }) => {
-            let fault = ObjFault::EdgeUsedTwice { other_line: line(first), from: from + 1, to: to + 1 };
-            ObjError::at(line(second), fault)
-        }
-        MeshError::Topology(TopologyError::NotOrientable { first, second, from, to }) => {
-            let fault = ObjFault::NotOrientable { other_line: line(first), from: from + 1, to: to + 1 };
-            ObjError::at(line(second), fault)
-        }
-        MeshError::Topology(TopologyError::NonManifoldVertex { vertex }) => {
-            ObjError::at(statements.vertex_line(vertex as usize), ObjFault::NonManifoldVertex { vertex: vertex + 1 })
-        }
-        MeshError::NotFinite { vertex, .. } => {
-            ObjError::at(statements.vertex_line(vertex as usize), ObjFault::NotFinite { vertex: vertex + 1 })
-        }
-        MeshError::CoordinateNotFinite { face, .. } => ObjError::at(line(face), ObjFault::CoordinateNotFinite),
-        other => ObjError::whole(ObjFault::Mesh(other)),
+        RepairError::CoordinateNotFinite { polygon } => ObjError::at(lines[polygon] as usize, ObjFault::CoordinateNotFinite),
+        other => ObjError::whole(ObjFault::Repair(other)),
     }
 }
 

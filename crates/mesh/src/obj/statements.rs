@@ -1,119 +1,106 @@
-//! The lines of an OBJ file that say something about its surface.
+//! The statements of an OBJ file that say something about its surface, checked and tidied for `tobj`.
 
-use std::io::{self, BufRead, Read};
+use std::io::Write;
 
-use super::{ObjError, ObjFault};
+use super::lines::{Statement, statements};
+use super::{Note, ObjError, ObjFault};
 
-/// The content of an OBJ file with all but `v`, `vt` and `f` lines emptied, so that their numbers stay, counted, and with a line put before it.
+/// Statements that are known and say nothing about the surface.
+const PASSED_OVER: [&[u8]; 10] = [b"vn", b"o", b"g", b"s", b"usemtl", b"mtllib", b"l", b"p", b"mg", b"usemap"];
+
+/// What the file holds, gone through once.
 pub(super) struct Statements<'a> {
-    lines: Vec<&'a [u8]>,
-    text: Vec<u8>,
+    kept: Vec<(Keyword, Statement<'a>)>,
     vertices: usize,
     coordinates: usize,
     faces: usize,
-    every_corner_has_coordinates: bool,
+    corners_without_coordinates: usize,
+    unknown: Option<Note>,
 }
 
-/// What a line is about.
+/// What a kept statement is about.
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum Keyword {
     Vertex,
     Coordinates,
     Face,
-    Other,
-}
-
-impl Keyword {
-    fn of(line: &[u8]) -> Self {
-        match fields(line).next() {
-            Some(b"v") => Self::Vertex,
-            Some(b"vt") => Self::Coordinates,
-            Some(b"f") => Self::Face,
-            _ => Self::Other,
-        }
-    }
-}
-
-fn fields(line: &[u8]) -> impl Iterator<Item = &[u8]> {
-    line.split(u8::is_ascii_whitespace).filter(|field| !field.is_empty())
 }
 
 impl<'a> Statements<'a> {
-    /// Goes through the lines once.
     pub(super) fn scan(bytes: &'a [u8]) -> Result<Self, ObjError> {
-        let bytes = bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(bytes);
-        let mut statements = Self {
-            lines: bytes.split(|&byte| byte == b'\n').collect(),
-            text: Vec::new(),
-            vertices: 0,
-            coordinates: 0,
-            faces: 0,
-            every_corner_has_coordinates: true,
+        let mut found = Self { kept: Vec::new(), vertices: 0, coordinates: 0, faces: 0, corners_without_coordinates: 0, unknown: None };
+        for statement in statements(bytes)? {
+            let mut words = statement.words();
+            let keyword = match words.next() {
+                Some(b"v") => Keyword::Vertex,
+                Some(b"vt") => Keyword::Coordinates,
+                Some(b"f") => Keyword::Face,
+                Some(other) => {
+                    found.pass_over(other, statement.line);
+                    continue;
+                }
+                None => continue,
+            };
+            found.kept.push((keyword, statement));
+            found.look_at(keyword, words).map_err(|fault| ObjError::at(statement.line, fault))?;
+        }
+        if found.faces == 0 {
+            let fault = if bytes.contains(&0) { ObjFault::Binary } else { ObjFault::NoFaces };
+            return Err(ObjError::whole(fault));
+        }
+        found.index_out_of_range().map_or(Ok(found), Err)
+    }
+
+    fn look_at<'w>(&mut self, keyword: Keyword, words: impl Iterator<Item = &'w [u8]>) -> Result<(), ObjFault> {
+        match keyword {
+            Keyword::Vertex => {
+                self.vertices += 1;
+                check_numbers(words, 3).then_some(()).ok_or(ObjFault::BadVertex)
+            }
+            Keyword::Coordinates => {
+                self.coordinates += 1;
+                check_numbers(words, 2).then_some(()).ok_or(ObjFault::BadTextureCoordinates)
+            }
+            Keyword::Face => {
+                self.faces += 1;
+                for word in words {
+                    let corner = Corner::parse(word)?;
+                    self.corners_without_coordinates += usize::from(corner.coordinates.is_none());
+                }
+                Ok(())
+            }
+        }
+    }
+
+    fn pass_over(&mut self, keyword: &[u8], line: usize) {
+        if PASSED_OVER.contains(&keyword) {
+            return;
+        }
+        match &mut self.unknown {
+            Some(Note::UnknownStatements { count, .. }) => *count += 1,
+            _ => self.unknown = Some(Note::UnknownStatements { count: 1, line, first: legible(keyword) }),
+        }
+    }
+
+    /// Whether every corner has texture coordinates.
+    pub(super) fn have_coordinates(&self) -> bool {
+        self.coordinates > 0 && self.corners_without_coordinates == 0
+    }
+
+    /// What was left out.
+    pub(super) fn notes(&self) -> Vec<Note> {
+        let corners = self.corners_without_coordinates;
+        let left_out = match (self.coordinates, self.names_coordinates()) {
+            (0, true) => Some(Note::NoTextureCoordinates),
+            (1.., _) if corners > 0 => Some(Note::CornersWithoutTextureCoordinates { corners }),
+            _ => None,
         };
-        let mut text = Vec::with_capacity(bytes.len());
-        for number in 0..statements.lines.len() {
-            let line = statements.lines[number];
-            match Keyword::of(line) {
-                Keyword::Vertex => {
-                    statements.vertices += 1;
-                    text.extend_from_slice(without_colours(line));
-                }
-                Keyword::Coordinates => {
-                    statements.coordinates += 1;
-                    text.extend_from_slice(line);
-                }
-                Keyword::Face => {
-                    statements.faces += 1;
-                    statements.look_at_face(line).map_err(|fault| ObjError::at(number + 1, fault))?;
-                    text.extend_from_slice(line);
-                }
-                Keyword::Other => {}
-            }
-            text.push(b'\n');
-        }
-        statements.every_corner_has_coordinates &= statements.coordinates > 0;
-        statements.text = statements.all_vertices_in_order();
-        statements.text.append(&mut text);
-        Ok(statements)
+        left_out.into_iter().chain(self.unknown.clone()).collect()
     }
 
-    /// Finds corners without texture coordinates, which `tobj` makes up, and relative indices to before the file, on which it overflows.
-    fn look_at_face(&mut self, line: &[u8]) -> Result<(), ObjFault> {
-        // Nothing that `tobj` would split where `fields` does not.
-        if !line.iter().all(|byte| byte.is_ascii_whitespace() || b"f/+-0123456789".contains(byte)) {
-            return Err(ObjFault::BadFace);
-        }
-        for corner in fields(line).skip(1) {
-            let mut indices = corner.split(|&byte| byte == b'/');
-            if indices.next().and_then(number).is_none() {
-                return Err(ObjFault::BadFace);
-            }
-            let index = indices.next().unwrap_or_default();
-            match number(index) {
-                None if index.is_empty() => self.every_corner_has_coordinates = false,
-                None | Some(0) => return Err(ObjFault::BadFace),
-                Some(back) if back < 0 && self.coordinates as i64 + back < 0 => {
-                    return Err(ObjFault::CoordinatesOutOfRange { index: back.to_string(), count: self.coordinates });
-                }
-                Some(_) => {}
-            }
-        }
-        Ok(())
-    }
-
-    fn all_vertices_in_order(&self) -> Vec<u8> {
-        let mut polygon = String::from("f");
-        for vertex in 1..=self.vertices {
-            polygon.push(' ');
-            polygon.push_str(&vertex.to_string());
-        }
-        polygon.push('\n');
-        polygon.into_bytes()
-    }
-
-    /// What `tobj` is to read: a polygon through all vertices, then the statements, each one line further down than in the file.
-    pub(super) fn text(&self) -> &[u8] {
-        &self.text
+    fn names_coordinates(&self) -> bool {
+        let faces = self.kept.iter().filter(|(keyword, _)| *keyword == Keyword::Face);
+        faces.flat_map(|(_, face)| corners(*face)).any(|corner| corner.coordinates.is_some())
     }
 
     /// How many faces the file has.
@@ -121,67 +108,125 @@ impl<'a> Statements<'a> {
         self.faces
     }
 
-    pub(super) fn every_corner_has_coordinates(&self) -> bool {
-        self.every_corner_has_coordinates
+    /// What `tobj` is to read: a polygon through all vertices, so that it numbers them in their order, then every line with what it is to know
+    /// of it: each one line further down than in the file.
+    pub(super) fn text(&self) -> std::io::Result<Vec<u8>> {
+        let mut text = Vec::new();
+        text.push(b'f');
+        for vertex in 1..=self.vertices {
+            write!(text, " {vertex}")?;
+        }
+        text.push(b'\n');
+        let mut line = 1;
+        for &(keyword, statement) in &self.kept {
+            text.extend(std::iter::repeat_n(b'\n', statement.line - line));
+            line = statement.line + 1;
+            match keyword {
+                Keyword::Vertex => put_words(&mut text, statement, 4),
+                Keyword::Coordinates if self.have_coordinates() => put_words(&mut text, statement, 3),
+                Keyword::Coordinates => {}
+                Keyword::Face => self.put_face(&mut text, statement)?,
+            }
+            text.push(b'\n');
+        }
+        Ok(text)
     }
 
-    /// The line of the face with this number, counted from 0.
-    pub(super) fn face_line(&self, face: usize) -> usize {
-        self.line_of(Keyword::Face, face)
+    fn put_face(&self, text: &mut Vec<u8>, face: Statement<'_>) -> std::io::Result<()> {
+        text.push(b'f');
+        for corner in corners(face) {
+            match corner.coordinates.filter(|_| self.have_coordinates()) {
+                Some(coordinates) => write!(text, " {}/{coordinates}", corner.vertex)?,
+                None => write!(text, " {}", corner.vertex)?,
+            }
+        }
+        Ok(())
+    }
+
+    /// The line of every face.
+    pub(super) fn face_lines(&self) -> Vec<u32> {
+        self.of(Keyword::Face).map(|face| face.line as u32).collect()
     }
 
     /// The line of the vertex with this number, counted from 0.
-    pub(super) fn vertex_line(&self, vertex: usize) -> usize {
-        self.line_of(Keyword::Vertex, vertex)
+    pub(super) fn vertex_line(&self, vertex: usize) -> Option<usize> {
+        self.of(Keyword::Vertex).nth(vertex).map(|vertex| vertex.line)
     }
 
-    fn line_of(&self, keyword: Keyword, count: usize) -> usize {
-        let mut found = self.lines.iter().enumerate().filter(|(_, line)| Keyword::of(line) == keyword);
-        found.nth(count).map_or(0, |(number, _)| number + 1)
+    fn of(&self, keyword: Keyword) -> impl Iterator<Item = Statement<'a>> + '_ {
+        self.kept.iter().filter(move |(its, _)| *its == keyword).map(|(_, statement)| *statement)
     }
 
     /// What `tobj` complained of after it had read so many lines, with its place.
-    pub(super) fn fault(&self, error: tobj::LoadError, lines_read: usize) -> ObjError {
+    pub(super) fn fault(error: tobj::LoadError, lines_read: usize) -> ObjError {
         let fault = match error {
-            tobj::LoadError::FaceVertexOutOfBounds | tobj::LoadError::FaceTexCoordOutOfBounds => return self.index_out_of_range(),
             tobj::LoadError::PositionParseError => ObjFault::BadVertex,
             tobj::LoadError::TexcoordParseError => ObjFault::BadTextureCoordinates,
-            tobj::LoadError::FaceParseError => ObjFault::BadFace,
-            _ => ObjFault::NotText,
+            _ => ObjFault::BadFace,
         };
         ObjError::at(lines_read.saturating_sub(1), fault)
     }
 
-    /// Finds the index that `tobj` found out of range; it does not say where.
-    fn index_out_of_range(&self) -> ObjError {
+    /// The first index that leads nowhere. `tobj` takes some for none, and does not say where the others are.
+    fn index_out_of_range(&self) -> Option<ObjError> {
         let (mut vertices, mut coordinates) = (0, 0);
-        for (line_number, line) in self.lines.iter().enumerate() {
-            match Keyword::of(line) {
+        self.kept.iter().find_map(|&(keyword, statement)| {
+            match keyword {
                 Keyword::Vertex => vertices += 1,
                 Keyword::Coordinates => coordinates += 1,
                 Keyword::Face => {
-                    if let Some(fault) = self.face_out_of_range(line, vertices, coordinates) {
-                        return ObjError::at(line_number + 1, fault);
-                    }
+                    return self.face_out_of_range(statement, vertices, coordinates).map(|fault| ObjError::at(statement.line, fault));
                 }
-                Keyword::Other => {}
             }
-        }
-        ObjError::whole(ObjFault::BadFace)
+            None
+        })
     }
 
-    fn face_out_of_range(&self, line: &[u8], vertices: usize, coordinates: usize) -> Option<ObjFault> {
-        for corner in fields(line).skip(1) {
-            let mut indices = corner.split(|&byte| byte == b'/').map(number);
-            if let Some(index) = indices.next().flatten().filter(|&index| !is_inside(index, self.vertices, vertices)) {
-                return Some(ObjFault::VertexOutOfRange { index: index.to_string(), count: self.vertices });
+    fn face_out_of_range(&self, face: Statement<'_>, vertices: usize, coordinates: usize) -> Option<ObjFault> {
+        corners(face).find_map(|corner| {
+            if !is_inside(corner.vertex, self.vertices, vertices) {
+                return Some(ObjFault::VertexOutOfRange { index: corner.vertex, count: self.vertices });
             }
-            if let Some(index) = indices.next().flatten().filter(|&index| !is_inside(index, self.coordinates, coordinates)) {
-                return Some(ObjFault::CoordinatesOutOfRange { index: index.to_string(), count: self.coordinates });
-            }
-        }
-        None
+            // Without any, they are left out as a whole.
+            let index = corner.coordinates.filter(|&index| self.coordinates > 0 && !is_inside(index, self.coordinates, coordinates))?;
+            Some(ObjFault::CoordinatesOutOfRange { index, count: self.coordinates })
+        })
     }
+}
+
+/// A corner of a face: `1`, `1/2`, `1//3` or `1/2/3`, and more slashes as some programs write them.
+struct Corner {
+    vertex: i64,
+    coordinates: Option<i64>,
+}
+
+impl Corner {
+    fn parse(word: &[u8]) -> Result<Self, ObjFault> {
+        let mut indices = word.split(|&byte| byte == b'/');
+        let vertex = index(indices.next().unwrap_or_default())?.ok_or(ObjFault::BadFace)?;
+        let coordinates = indices.next().map_or(Ok(None), index)?;
+        // Normals are not read, but what stands in their place has to be one.
+        indices.try_for_each(|word| index(word).map(|_| ()))?;
+        Ok(Self { vertex, coordinates })
+    }
+}
+
+/// The corners of a face that was looked at.
+fn corners(face: Statement<'_>) -> impl Iterator<Item = Corner> {
+    face.words().skip(1).filter_map(|word| Corner::parse(word).ok())
+}
+
+/// A whole number, or nothing if the word is empty.
+fn index(word: &[u8]) -> Result<Option<i64>, ObjFault> {
+    if word.is_empty() {
+        return Ok(None);
+    }
+    let digits = word.strip_prefix(b"-").or(word.strip_prefix(b"+")).unwrap_or(word);
+    if digits.is_empty() || !digits.iter().all(u8::is_ascii_digit) {
+        return Err(ObjFault::BadFace);
+    }
+    let number = std::str::from_utf8(word).ok().and_then(|word| word.parse::<i32>().ok());
+    number.map(|number| Some(number.into())).ok_or(ObjFault::IndexTooLarge { digits: digits.len() })
 }
 
 /// An index: counted from 1 among all, or backwards from the last one so far.
@@ -189,52 +234,20 @@ fn is_inside(index: i64, all: usize, so_far: usize) -> bool {
     if index < 0 { index.unsigned_abs() <= so_far as u64 } else { index > 0 && index as u64 <= all as u64 }
 }
 
-fn number(field: &[u8]) -> Option<i64> {
-    std::str::from_utf8(field).ok()?.parse().ok()
+/// Whether the first words look like numbers, so that `tobj` takes them for the words that they are here.
+fn check_numbers<'w>(words: impl Iterator<Item = &'w [u8]>, count: usize) -> bool {
+    words.take(count).filter(|word| word.iter().all(u8::is_ascii_graphic)).count() == count
 }
 
-/// A `v` line up to its third number: weights and colours after it are of no use here, and `tobj` wants them on all lines or none.
-fn without_colours(line: &[u8]) -> &[u8] {
-    let Some(last) = fields(line).nth(3) else { return line };
-    let end = last.as_ptr().addr() - line.as_ptr().addr() + last.len();
-    &line[..end]
-}
-
-/// A reader that knows how many lines were taken from it.
-pub(super) struct CountingReader<'a> {
-    rest: &'a [u8],
-    lines: usize,
-}
-
-impl<'a> CountingReader<'a> {
-    pub(super) fn new(text: &'a [u8]) -> Self {
-        Self { rest: text, lines: 0 }
-    }
-
-    /// The number of the last line taken, from 1.
-    pub(super) fn line(&self) -> usize {
-        self.lines
+/// The keyword and the numbers that count: weights and colours after them are of no use here, and `tobj` wants them on all lines or none.
+fn put_words(text: &mut Vec<u8>, statement: Statement<'_>, count: usize) {
+    for word in statement.words().take(count) {
+        text.extend_from_slice(word);
+        text.push(b' ');
     }
 }
 
-impl Read for CountingReader<'_> {
-    fn read(&mut self, buffer: &mut [u8]) -> io::Result<usize> {
-        let count = self.rest.len().min(buffer.len());
-        buffer[..count].copy_from_slice(&self.rest[..count]);
-        self.consume(count);
-        Ok(count)
-    }
-}
-
-impl BufRead for CountingReader<'_> {
-    fn fill_buf(&mut self) -> io::Result<&[u8]> {
-        Ok(self.rest)
-    }
-
-    fn consume(&mut self, count: usize) {
-        let (taken, rest) = self.rest.split_at(count.min(self.rest.len()));
-        // `lines` takes one line at a time, its end included.
-        self.lines += usize::from(taken.last() == Some(&b'\n'));
-        self.rest = rest;
-    }
+/// A word of the file that may be shown: short, and without anything that a terminal might obey.
+fn legible(word: &[u8]) -> String {
+    word.iter().take(16).map(|&byte| if byte.is_ascii_graphic() { char::from(byte) } else { '?' }).collect()
 }

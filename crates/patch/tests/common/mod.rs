@@ -86,5 +86,5 @@ pub(crate) fn real_models() -> Vec<(String, Mesh)> {
     paths.retain(|p| p.extension().is_some_and(|e| e == "obj") && p.file_stem().is_some_and(|s| s != "moebius"));
     paths.sort();
     assert!(paths.len() >= 12, "{} of the 12 clean models are there", paths.len());
-    paths.iter().map(|p| (p.file_stem().unwrap().to_string_lossy().into_owned(), read_obj(p).unwrap())).collect()
+    paths.iter().map(|p| (p.file_stem().unwrap().to_string_lossy().into_owned(), read_obj(p).unwrap().mesh)).collect()
 }
