@@ -70,7 +70,7 @@ impl Scene {
         }
         let output = graph.output.clone().ok_or("the graph has no main output")?;
         let checked = graph.check(&registry)?;
-        let evaluation = evaluator.run(&checked, &Request::main())?;
+        let evaluation = evaluator.run(&checked, &Request::main().with_all_values())?;
         Ok(Self { evaluation, output })
     }
 

@@ -5,7 +5,7 @@ use std::fmt::Display;
 use std::io::Write;
 use std::process::ExitCode;
 
-use pelage_graph::{EvaluateError, Faults};
+use pelage_graph::{EvaluateError, Faults, NodeFailure};
 use pelage_nodes::RenderError;
 
 /// Why the program ends without having done what it was asked.
@@ -44,10 +44,11 @@ impl From<Faults> for Failure {
 
 impl From<EvaluateError> for Failure {
     fn from(error: EvaluateError) -> Self {
-        match error.cause::<RenderError>() {
-            Some(RenderError::NoAdapter { .. }) => Self::NoAdapter(with_causes(&error)),
-            _ => Self::Input(with_causes(&error)),
-        }
+        let EvaluateError::Nodes(failures) = &error else { return Self::Input(with_causes(&error)) };
+        let message = failures.iter().map(|failure| with_causes(failure)).collect::<Vec<_>>().join("\n");
+        // A wrong graph goes first: it can be mended here.
+        let no_adapter = |failure: &NodeFailure| matches!(failure.cause::<RenderError>(), Some(RenderError::NoAdapter { .. }));
+        if failures.iter().all(no_adapter) { Self::NoAdapter(message) } else { Self::Input(message) }
     }
 }
 

@@ -1,13 +1,15 @@
 //! How a run gets on: a bar on a terminal, nothing on a pipe.
 
 use std::io::{IsTerminal, Write};
+use std::sync::{Mutex, MutexGuard, PoisonError};
 
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 use pelage_graph::{Evaluation, NodeId, Observer, State, TraceEntry};
 
-/// Shows which node runs.
+/// Shows which nodes run.
 pub(crate) struct Progress {
     bar: ProgressBar,
+    running: Mutex<Vec<NodeId>>,
     verbose: bool,
 }
 
@@ -19,7 +21,7 @@ impl Progress {
         if let Ok(style) = ProgressStyle::with_template("{bar:30} {pos}/{len} {msg}") {
             bar.set_style(style);
         }
-        Self { bar, verbose }
+        Self { bar, running: Mutex::default(), verbose }
     }
 
     /// Takes the bar away; says what each node did if asked to.
@@ -33,15 +35,31 @@ impl Progress {
     }
 }
 
+impl Progress {
+    fn running(&self) -> MutexGuard<'_, Vec<NodeId>> {
+        self.running.lock().unwrap_or_else(PoisonError::into_inner)
+    }
+
+    /// The names of the nodes that run.
+    fn show(&self, running: &[NodeId]) {
+        self.bar.set_message(running.iter().map(NodeId::as_str).collect::<Vec<_>>().join(", "));
+    }
+}
+
 impl Observer for Progress {
     fn started(&self, node: &NodeId, done: usize, total: usize) {
         self.bar.set_length(total as u64);
         self.bar.set_position(done as u64);
-        self.bar.set_message(node.to_string());
+        let mut running = self.running();
+        running.push(node.clone());
+        self.show(&running);
     }
 
-    fn finished(&self, _: &TraceEntry) {
+    fn finished(&self, entry: &TraceEntry) {
         self.bar.inc(1);
+        let mut running = self.running();
+        running.retain(|node| *node != entry.node);
+        self.show(&running);
     }
 }
 

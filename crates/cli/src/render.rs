@@ -37,7 +37,7 @@ pub(crate) struct Render {
     /// Draw the frame N more times after a warm-up, for the figures.
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=100_000))]
     repeat: Option<u32>,
-    /// How many threads to use; all cores without.
+    /// How many nodes run at a time, and on how many threads each; as many as there are cores without.
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=1024))]
     threads: Option<u16>,
     /// No progress.
@@ -64,13 +64,16 @@ impl Render {
         let checked = graph.check(&registry).map_err(|faults| faults.with_path(&self.graph))?;
         let progress = Arc::new(Progress::new(self.quiet, self.verbose));
         let mut evaluator = pelage_nodes::evaluator(CACHE_BYTES);
+        if let Some(threads) = self.threads {
+            evaluator = evaluator.threads(threads.into());
+        }
         if self.stats.is_some() && !makes_pictures(&registry, &graph, &output) {
             return Err(Failure::Input(format!("--stats: {output} is no picture; ask for an output of a RenderImage node")));
         }
         let frame = format!("{}.frame", node_of(&output));
         let mut request = Request::output(&output).with_observer(progress.clone());
         if self.stats.is_some() {
-            request = request.and_output(&frame);
+            request = request.and_output(&frame).with_all_values();
         }
         let evaluation = evaluator.run(&checked, &request)?;
         progress.finish(&evaluation);

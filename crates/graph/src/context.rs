@@ -19,7 +19,7 @@ impl CancelToken {
     pub fn new() -> Self {
         Self::default()
     }
-    /// Asks the run to stop: before its next node, or sooner if the running one looks.
+    /// Asks the run to stop: no node begins any more, and those that run stop if they look.
     pub fn cancel(&self) {
         self.0.store(true, Ordering::Relaxed);
     }
@@ -34,13 +34,13 @@ impl CancelToken {
 #[error("cancelled")]
 pub struct Cancelled;
 
-/// Is told how a run gets on. Calls may come from any thread.
+/// Is told how a run gets on. Calls come from any thread; of `started` and `finished` one at a time, so that `done` never falls.
 pub trait Observer: Send + Sync {
-    /// A node begins; `done` of the `total` nodes that have to be computed are done.
+    /// A node begins, perhaps beside others; `done` of the `total` nodes that have to be computed are done.
     fn started(&self, node: &NodeId, done: usize, total: usize) {
         let _ = (node, done, total);
     }
-    /// The running node has got so far, from 0 to 1.
+    /// The running node has got so far, from 0 to 1. Nodes that run side by side may tell at the same time.
     fn progress(&self, node: &NodeId, fraction: f64) {
         let _ = (node, fraction);
     }

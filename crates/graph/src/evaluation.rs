@@ -10,19 +10,43 @@ use crate::node::NodeError;
 use crate::spec::PortType;
 use crate::value::Value;
 
+/// A node that failed. Its error is kept whole.
+#[derive(Debug, thiserror::Error)]
+#[error("node \"{node}\" ({kind}): {source}")]
+pub struct NodeFailure {
+    /// Which node.
+    pub node: NodeId,
+    /// Its kind.
+    pub kind: String,
+    /// Its error.
+    pub source: NodeError,
+}
+
+impl NodeFailure {
+    /// The `E` that caused this, wherever it is in the chain of causes.
+    pub fn cause<E: Error + 'static>(&self) -> Option<&E> {
+        let mut next: Option<&(dyn Error + 'static)> = Some(&*self.source);
+        while let Some(error) = next {
+            if let Some(found) = error.downcast_ref::<E>() {
+                return Some(found);
+            }
+            next = error.source();
+        }
+        None
+    }
+}
+
+/// One line for each.
+fn lines(failures: &[NodeFailure]) -> String {
+    failures.iter().map(ToString::to_string).collect::<Vec<_>>().join("\n")
+}
+
 /// Why a run gave nothing.
 #[derive(Debug, thiserror::Error)]
 pub enum EvaluateError {
-    /// A node failed. Its error is kept whole.
-    #[error("node \"{node}\" ({kind}): {source}")]
-    Node {
-        /// Which node.
-        node: NodeId,
-        /// Its kind.
-        kind: String,
-        /// Its error.
-        source: NodeError,
-    },
+    /// Nodes failed: all that did, in topological order; never empty. What did not draw on them was computed and is in the cache.
+    #[error("{}", lines(.0))]
+    Nodes(Vec<NodeFailure>),
     /// An output was asked for that the graph does not have.
     #[error("there is no output {output:?}{}", .nearest.as_ref().map(|name| format!("; did you mean {name}?")).unwrap_or_default())]
     NoSuchOutput {
@@ -30,6 +54,12 @@ pub enum EvaluateError {
         output: String,
         /// The output nearest to it.
         nearest: Option<String>,
+    },
+    /// A value was asked of an evaluation that did not keep it.
+    #[error("the value {output:?} was not asked for; ask for it, or for all values, in the request")]
+    NotKept {
+        /// The output.
+        output: String,
     },
     /// The main output was asked for, and the graph names none.
     #[error("the graph names no main output; add output: \"node.port\" to it, or ask for one")]
@@ -50,17 +80,10 @@ pub enum EvaluateError {
 }
 
 impl EvaluateError {
-    /// The `E` that caused this, wherever it is in the chain of causes.
+    /// The first `E` that caused this, wherever it is in the chains of causes.
     pub fn cause<E: Error + 'static>(&self) -> Option<&E> {
-        let Self::Node { source, .. } = self else { return None };
-        let mut next: Option<&(dyn Error + 'static)> = Some(&**source);
-        while let Some(error) = next {
-            if let Some(found) = error.downcast_ref::<E>() {
-                return Some(found);
-            }
-            next = error.source();
-        }
-        None
+        let Self::Nodes(failures) = self else { return None };
+        failures.iter().find_map(NodeFailure::cause)
     }
 }
 
@@ -87,15 +110,15 @@ pub struct TraceEntry {
     pub kind: String,
     /// How it came by its values.
     pub state: State,
-    /// Milliseconds it ran; 0 unless computed.
+    /// Milliseconds it ran, whatever else ran beside it; 0 unless computed.
     pub ms: f64,
-    /// Bytes of its values at hand.
+    /// Bytes of its values.
     pub bytes: usize,
     /// Key of each output that was asked for.
     pub keys: Vec<(String, Key)>,
 }
 
-/// The values of a run, all nodes that had a part in it included, and its trace.
+/// The values that were asked for, or all that had a part in the run if [the request](crate::Request::with_all_values) says so, and the trace.
 #[derive(Debug)]
 pub struct Evaluation {
     /// By node and port, in the order of the document.
@@ -109,11 +132,10 @@ impl Evaluation {
     /// An output's value, `node.port`.
     ///
     /// # Errors
-    /// If it was not asked for and had no part in the run, or is of another type.
+    /// If it was not asked for, or is of another type.
     pub fn get<T: Send + Sync + 'static>(&self, output: &str) -> Result<Arc<T>, EvaluateError> {
         let Some(value) = self.value(output) else {
-            let nearest = crate::fault::nearest(output, self.by_name.keys().map(String::as_str).collect::<std::collections::BTreeSet<_>>());
-            return Err(EvaluateError::NoSuchOutput { output: output.to_owned(), nearest });
+            return Err(EvaluateError::NotKept { output: output.to_owned() });
         };
         value.downcast().ok_or_else(|| EvaluateError::WrongType {
             output: output.to_owned(),
@@ -135,7 +157,7 @@ impl Evaluation {
         self.by_name.get(output).map(|&index| &self.values[index].2)
     }
 
-    /// Every value that had a part in the run and is at hand, in the order of the document.
+    /// Every value that was kept, in the order of the document.
     pub fn values(&self) -> impl Iterator<Item = (&NodeId, &str, &Value)> {
         self.values.iter().map(|(node, port, value)| (node, port.as_str(), value))
     }

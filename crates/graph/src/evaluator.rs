@@ -1,46 +1,50 @@
-//! Runs what has to run, and keeps what came of it.
+//! What keeps values from run to run.
 
-use std::collections::{BTreeMap, HashMap};
-use std::time::Instant;
+use std::collections::BTreeMap;
+use std::num::NonZeroUsize;
 
 use crate::cache::{Cache, CacheUse};
-use crate::check::{Bound, CheckedGraph, Source};
-use crate::context::{Cancelled, Context};
-use crate::evaluation::{EvaluateError, Evaluation, State, TraceEntry};
+use crate::check::{CheckedGraph, Source};
+use crate::evaluation::{EvaluateError, Evaluation};
 use crate::fault::nearest;
-use crate::key::Key;
 use crate::literal::Literal;
-use crate::node::{Fetched, Fields, NodeError, Params};
-use crate::plan::{ContextValues, Plan, draws, failed, known_fields, plan};
+use crate::node::NodeError;
+use crate::plan::plan;
 use crate::request::Request;
 use crate::resources::Resources;
-use crate::value::Value;
+use crate::run::Run;
 
 type MakeContext = Box<dyn Fn(&Resources) -> Result<Literal, NodeError> + Send + Sync>;
 
 /// Evaluates graphs, and keeps values from run to run within a bound of bytes.
 ///
-/// Only what is asked for runs, and only if no equal value is at hand. The result depends on the graph, the files it names and the
-/// context alone: not on the ids or layout of the nodes, on earlier runs, or on the order in which nodes run.
+/// Only what is asked for runs, and only if no equal value is at hand; what does not depend on each other runs side by side. The result depends on
+/// the graph, the files it names and the context alone: not on the ids or layout of the nodes, on earlier runs, on the number of threads
+/// or on the order in which nodes run.
 pub struct Evaluator {
+    threads: usize,
     cache: Cache,
     resources: Resources,
     makers: BTreeMap<String, MakeContext>,
     made: BTreeMap<String, Literal>,
 }
 
-/// An output that is wanted and that the node did not make.
-#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
-#[error("the node made no {0:?}, which is wanted")]
-pub struct NotMade(
-    /// The port.
-    pub String,
-);
-
 impl Evaluator {
-    /// An evaluator whose cache keeps at most `budget` bytes.
+    /// An evaluator whose cache keeps at most `budget` bytes, and that runs as many nodes at a time as the machine has cores.
     pub fn new(budget: usize) -> Self {
-        Self { cache: Cache::new(budget), resources: Resources::default(), makers: BTreeMap::new(), made: BTreeMap::new() }
+        let threads = std::thread::available_parallelism().map_or(1, NonZeroUsize::get);
+        Self { threads, cache: Cache::new(budget), resources: Resources::default(), makers: BTreeMap::new(), made: BTreeMap::new() }
+    }
+
+    /// With so many nodes at most running at a time, each on a thread of its own; with 1, or 0, they run one after another on the
+    /// caller's.
+    ///
+    /// What a node does with rayon is another matter: it goes to rayon's global pool, which is the program's to size. Where a
+    /// rayon worker calls [`run`](Self::run), nodes run one after another on that worker, and theirs goes to its pool.
+    #[must_use]
+    pub fn threads(mut self, threads: usize) -> Self {
+        self.threads = threads;
+        self
     }
 
     /// With a resource that nodes get by [`Context::resource`], made when the first asks for it.
@@ -80,8 +84,9 @@ impl Evaluator {
     /// Evaluates what `request` asks for.
     ///
     /// # Errors
-    /// If there is no such output, a node fails (the first in topological order), or the run is cancelled. What was computed before stays
-    /// in the cache.
+    /// If there is no such output, nodes fail, or the run is cancelled. Nodes whose files or context cannot be had are found before any node
+    /// runs, all of them at once. When a node fails while it runs, all that does not draw on it runs on, so that one run answers with
+    /// every failure, the same for any number of threads. What was computed stays in the cache.
     pub fn run(&mut self, graph: &CheckedGraph, request: &Request) -> Result<Evaluation, EvaluateError> {
         let asked = asked(graph, request)?;
         let mut values = request.context.clone();
@@ -98,102 +103,12 @@ impl Evaluator {
             values.insert(name.to_owned(), value.clone());
             Ok(Some(value))
         };
-        let mut plan = plan(graph, &asked, &mut self.cache, &mut context)?;
-        let ms = self.execute(graph, request, &values, &mut plan)?;
-        Ok(self.collect(graph, request, &plan, &ms))
-    }
-
-    /// Runs the steps of the plan in order; milliseconds of each node that ran.
-    fn execute(
-        &mut self,
-        graph: &CheckedGraph,
-        request: &Request,
-        values: &ContextValues,
-        plan: &mut Plan,
-    ) -> Result<Vec<Option<f64>>, EvaluateError> {
-        let total = plan.make.iter().filter(|ports| !ports.is_empty()).count();
-        let mut ms = vec![None; graph.nodes.len()];
-        let steps = graph.nodes.iter().enumerate().filter(|(index, _)| !plan.make[*index].is_empty()).collect::<Vec<_>>();
-        for (done, (index, node)) in steps.into_iter().enumerate() {
-            if request.cancel.is_cancelled() {
-                return Err(EvaluateError::Cancelled);
-            }
-            let observer = request.observer.as_deref();
-            if let Some(observer) = observer {
-                observer.started(&node.id, done, total);
-            }
-            let ports = &plan.make[index];
-            let wanted: Vec<&str> = ports.iter().map(|&port| node.kind.specification.outputs[port].name.as_str()).collect();
-            let mut cx = Context {
-                node: &node.id,
-                wanted: &wanted,
-                declared: &node.kind.specification.context,
-                values,
-                resources: &self.resources,
-                cancel: &request.cancel,
-                observer,
-            };
-            let fields = fetch(graph, index, plan);
-            let start = Instant::now();
-            let made = (node.kind.run)(&fields, &mut cx);
-            let elapsed = start.elapsed().as_secs_f64() * 1e3;
-            let made = made.map_err(|source| match source.downcast_ref::<Cancelled>() {
-                Some(_) => EvaluateError::Cancelled,
-                None => failed(node, source),
-            })?;
-            for &port in ports {
-                let name = &node.kind.specification.outputs[port].name;
-                let value = made.iter().find(|(port, _)| port == name).and_then(|(_, value)| value.clone());
-                let value = value.ok_or_else(|| failed(node, NotMade(name.clone())))?;
-                let value = match &node.types[port] {
-                    Some(ty) => value.measured(ty),
-                    None => value,
-                };
-                if let Some(key) = plan.keys[index][port] {
-                    self.cache.insert(key, value.clone());
-                    plan.have.insert(key, value);
-                }
-            }
-            ms[index] = Some(elapsed);
-            if let Some(observer) = observer {
-                observer.finished(&self.trace_entry(graph, index, plan, ms[index]));
-            }
-        }
-        Ok(ms)
-    }
-
-    /// The value of a key: of this run, or kept from an earlier one.
-    fn at_hand<'v>(&'v self, have: &'v HashMap<Key, Value>, key: &Key) -> Option<&'v Value> {
-        have.get(key).or_else(|| self.cache.peek(key))
-    }
-
-    fn trace_entry(&self, graph: &CheckedGraph, index: usize, plan: &Plan, ms: Option<f64>) -> TraceEntry {
-        let node = &graph.nodes[index];
-        let named = node.kind.specification.outputs.iter().zip(&plan.keys[index]);
-        let keys: Vec<(String, Key)> = named.filter_map(|(output, key)| Some((output.name.clone(), (*key)?))).collect();
-        let values: Vec<&Value> = keys.iter().filter_map(|(_, key)| self.at_hand(&plan.have, key)).collect();
-        let state = match ms {
-            Some(_) => State::Computed,
-            None if !keys.is_empty() && values.len() == keys.len() => State::Hit,
-            None => State::NotNeeded,
-        };
-        let bytes = values.iter().map(|value| value.bytes()).sum();
-        TraceEntry { node: node.id.clone(), kind: node.kind.specification.kind.clone(), state, ms: ms.unwrap_or(0.0), bytes, keys }
-    }
-
-    fn collect(&self, graph: &CheckedGraph, request: &Request, plan: &Plan, ms: &[Option<f64>]) -> Evaluation {
-        let mut evaluation = Evaluation { values: Vec::new(), by_name: HashMap::new(), main: main_name(graph, request), trace: Vec::new() };
-        for (id, &index) in &graph.by_id {
-            let entry = self.trace_entry(graph, index, plan, ms[index]);
-            for (port, key) in &entry.keys {
-                if let Some(value) = self.at_hand(&plan.have, key) {
-                    evaluation.by_name.insert(format!("{id}.{port}"), evaluation.values.len());
-                    evaluation.values.push((id.clone(), port.clone(), value.clone()));
-                }
-            }
-            evaluation.trace.push(entry);
-        }
-        evaluation
+        let plan = plan(graph, &asked, &mut self.cache, &mut context).map_err(EvaluateError::Nodes)?;
+        // A worker that waits would hold up the pool that the nodes it waits for need.
+        let threads = if rayon::current_thread_index().is_some() { 1 } else { self.threads };
+        let run = Run::new(graph, request, &asked, plan, &values, &self.resources, &mut self.cache);
+        run.execute(threads)?;
+        Ok(run.into_evaluation(main_name(graph, request)))
     }
 }
 
@@ -218,25 +133,4 @@ fn main_name(graph: &CheckedGraph, request: &Request) -> Option<String> {
         let node = &graph.nodes[main.node];
         Some(format!("{}.{}", node.id, node.kind.specification.outputs[main.port].name))
     })
-}
-
-/// The node's fields, filled with the values of the ports they are linked to.
-fn fetch<'g>(graph: &'g CheckedGraph, index: usize, plan: &Plan) -> Fields<'g> {
-    let node = &graph.nodes[index];
-    let known = known_fields(node, &graph.directory);
-    let value = |source: &Source| plan.keys[source.node][source.port].and_then(|key| plan.have.get(&key)).cloned();
-    let drawn = |field| plan.make[index].iter().any(|&output| draws(node, &Params { fields: &known }, field, output));
-    let linked: Vec<Option<Fetched>> = node
-        .fields
-        .iter()
-        .enumerate()
-        .map(|(field, bound)| match bound {
-            Bound::Absent | Bound::Literal(_) => None,
-            Bound::Link(_) | Bound::Links(_) if !drawn(field) => Some(Fetched::Absent),
-            Bound::Link(source) => Some(value(source).map_or(Fetched::Absent, Fetched::Linked)),
-            Bound::Links(sources) => Some(Fetched::List(sources.iter().filter_map(value).collect())),
-        })
-        .collect();
-    let fetched = known.fetched.into_iter().zip(linked).map(|(known, linked)| linked.unwrap_or(known)).collect();
-    Fields { specification: known.specification, fetched }
 }

@@ -4,43 +4,64 @@
 //! it draws from included; so what is wanted is in the key, and a run that wants more of a node shares what a run that wanted less has
 //! made. Three sweeps over the topological order: back to see what is asked for, forth to make keys, back to see what has to be computed.
 
-use std::collections::{BTreeMap, HashMap};
+use std::collections::{BTreeMap, BTreeSet, HashMap};
 use std::path::Path;
 
-use crate::cache::Cache;
+use crate::cache::{Age, Cache};
 use crate::check::{Bound, CheckedGraph, CheckedNode, Source};
-use crate::evaluation::EvaluateError;
+use crate::evaluation::NodeFailure;
 use crate::files::resolved;
 use crate::key::{Files, Key, KeyHasher};
 use crate::literal::Literal;
 use crate::node::{Fetched, Fields, NodeError, Params};
+use crate::schedule::Order;
 use crate::spec::Arity;
 use crate::value::Value;
 
 /// Why the key of a node cannot be made.
-pub(crate) fn failed(node: &CheckedNode, source: impl Into<NodeError>) -> EvaluateError {
-    EvaluateError::Node { node: node.id.clone(), kind: node.kind.specification.kind.clone(), source: source.into() }
+pub(crate) fn failed(node: &CheckedNode, source: impl Into<NodeError>) -> NodeFailure {
+    NodeFailure { node: node.id.clone(), kind: node.kind.specification.kind.clone(), source: source.into() }
 }
 
 /// Gives the context values that a node declares.
 pub(crate) type ContextOf<'c> = dyn FnMut(&str) -> Result<Option<Literal>, NodeError> + 'c;
 
-/// What one port depends on.
-#[derive(Clone, Default)]
-struct Port {
-    asked: bool,
-    key: Option<Key>,
+/// Keys of all asked ports, by node and port.
+pub(crate) type Keys = Vec<Vec<Option<Key>>>;
+
+/// An output that has to be made.
+pub(crate) struct Make {
+    pub(crate) port: usize,
+    pub(crate) key: Key,
+    /// Its age in the cache.
+    pub(crate) age: Age,
 }
 
-/// The steps of a run.
+/// A node that has to run.
+pub(crate) struct Step {
+    pub(crate) node: usize,
+    pub(crate) make: Vec<Make>,
+    /// Keys of all it draws on.
+    pub(crate) draws: BTreeSet<Key>,
+}
+
+/// What a run has to do.
 pub(crate) struct Plan {
-    /// Keys of all asked ports.
-    pub(crate) keys: Vec<Vec<Option<Key>>>,
-    /// For each node the ports it has to make; steps in topological order, so that those which do not depend on each other
-    /// could run side by side.
-    pub(crate) make: Vec<Vec<usize>>,
-    /// Values at hand.
+    pub(crate) keys: Keys,
+    /// In topological order. No two make the same key.
+    pub(crate) steps: Vec<Step>,
+    /// Values of earlier runs that steps draw on or that are asked for.
     pub(crate) have: HashMap<Key, Value>,
+}
+
+impl Plan {
+    /// Which steps wait for which.
+    pub(crate) fn order(&self) -> Order {
+        let makers = self.steps.iter().enumerate().flat_map(|(index, step)| step.make.iter().map(move |make| (make.key, index)));
+        let makers: HashMap<Key, usize> = makers.collect();
+        let before = |step: &Step| step.draws.iter().filter_map(|key| makers.get(key)).copied().collect();
+        Order::new(&self.steps.iter().map(before).collect::<Vec<_>>())
+    }
 }
 
 /// Whether `output` of the node draws on its field number `field`. Parameters and required inputs have part in every output.
@@ -66,71 +87,106 @@ pub(crate) fn known_fields<'n>(node: &'n CheckedNode, directory: &Path) -> Field
     Fields { specification, fetched: fetched.collect() }
 }
 
-pub(crate) fn plan(graph: &CheckedGraph, asked: &[Source], cache: &mut Cache, context: &mut ContextOf<'_>) -> Result<Plan, EvaluateError> {
+/// Plans the making of `asked`.
+///
+/// Errors: every node whose key cannot be made, as its files or its context cannot be had.
+pub(crate) fn plan(
+    graph: &CheckedGraph,
+    asked: &[Source],
+    cache: &mut Cache,
+    context: &mut ContextOf<'_>,
+) -> Result<Plan, Vec<NodeFailure>> {
     let known: Vec<Fields<'_>> = graph.nodes.iter().map(|node| known_fields(node, &graph.directory)).collect();
-    let mut ports: Vec<Vec<Port>> = graph.nodes.iter().map(|node| vec![Port::default(); node.types.len()]).collect();
-    for source in asked {
-        ports[source.node][source.port].asked = true;
+    let keys = keys(graph, &known, &wanted(graph, &known, asked), context)?;
+    let mut plan = steps(graph, &known, asked, keys, cache);
+    for make in plan.steps.iter_mut().flat_map(|step| &mut step.make) {
+        make.age = cache.next_age();
     }
-    // Back: a port that is asked asks for the ports it draws on.
+    Ok(plan)
+}
+
+/// Sources of the fields that an output draws on.
+fn sources<'n>(node: &'n CheckedNode, known: &'n Fields<'n>, output: usize) -> impl Iterator<Item = &'n Source> {
+    let drawn = move |(field, _): &(usize, &Bound)| draws(node, &Params { fields: known }, *field, output);
+    let linked = node.fields.iter().enumerate().filter(|(_, bound)| !bound.sources().is_empty());
+    linked.filter(drawn).flat_map(|(_, bound)| bound.sources())
+}
+
+/// Back: a port that is asked for asks for the ports it draws on.
+fn wanted(graph: &CheckedGraph, known: &[Fields<'_>], asked: &[Source]) -> Vec<Vec<bool>> {
+    let mut wanted: Vec<Vec<bool>> = graph.nodes.iter().map(|node| vec![false; node.types.len()]).collect();
+    for source in asked {
+        wanted[source.node][source.port] = true;
+    }
     for (index, node) in graph.nodes.iter().enumerate().rev() {
-        for output in (0..node.types.len()).filter(|&output| ports[index][output].asked).collect::<Vec<_>>() {
-            for (field, bound) in node.fields.iter().enumerate() {
-                if draws(node, &Params { fields: &known[index] }, field, output) {
-                    for source in bound.sources() {
-                        ports[source.node][source.port].asked = true;
-                    }
+        for output in (0..node.types.len()).filter(|&output| wanted[index][output]).collect::<Vec<_>>() {
+            for source in sources(node, &known[index], output) {
+                wanted[source.node][source.port] = true;
+            }
+        }
+    }
+    wanted
+}
+
+/// Forth: the key of every wanted port.
+fn keys(graph: &CheckedGraph, known: &[Fields<'_>], wanted: &[Vec<bool>], context: &mut ContextOf<'_>) -> Result<Keys, Vec<NodeFailure>> {
+    let mut keys: Keys = graph.nodes.iter().map(|node| vec![None; node.types.len()]).collect();
+    let mut files = Files::new();
+    let mut failures = Vec::new();
+    for (index, node) in graph.nodes.iter().enumerate().filter(|(index, _)| wanted[*index].contains(&true)) {
+        match base_key(node, &known[index], &mut files, context) {
+            Ok(base) => {
+                for output in (0..node.types.len()).filter(|&output| wanted[index][output]) {
+                    keys[index][output] = Some(port_key(node, &known[index], output, base.clone(), &keys));
                 }
             }
+            Err(failure) => failures.push(failure),
         }
     }
-    // Forth: keys. Of equal ports the first is the one to compute.
+    if failures.is_empty() { Ok(keys) } else { Err(failures) }
+}
+
+/// Back again: what is not at hand is to be made, and requires what it draws on. Of equal ports the first is made.
+fn steps(graph: &CheckedGraph, known: &[Fields<'_>], asked: &[Source], keys: Keys, cache: &mut Cache) -> Plan {
     let mut first: HashMap<Key, Source> = HashMap::new();
-    let mut files = Files::new();
-    for (index, node) in graph.nodes.iter().enumerate() {
-        if !ports[index].iter().any(|port| port.asked) {
-            continue;
-        }
-        let base = base_key(node, &known[index], &mut files, context)?;
-        for output in 0..node.types.len() {
-            if ports[index][output].asked {
-                let key = port_key(node, &known[index], output, base.clone(), &ports);
-                ports[index][output].key = Some(key);
-                first.entry(key).or_insert(Source { node: index, port: output });
+    for (node, ports) in keys.iter().enumerate() {
+        for (port, key) in ports.iter().enumerate() {
+            if let Some(key) = key {
+                first.entry(*key).or_insert(Source { node, port });
             }
         }
     }
-    // Back again: what is not at hand is to be made, and needs what it draws on.
-    let mut have = HashMap::new();
-    let mut make: Vec<Vec<usize>> = vec![Vec::new(); graph.nodes.len()];
-    let mut required: Vec<Vec<bool>> = graph.nodes.iter().map(|node| vec![false; node.types.len()]).collect();
-    let owner = |source: &Source, ports: &[Vec<Port>]| ports[source.node][source.port].key.and_then(|key| first.get(&key)).copied();
-    for source in asked.iter().filter_map(|source| owner(source, &ports)) {
-        required[source.node][source.port] = true;
-    }
+    let key = |source: &Source| keys[source.node][source.port];
+    let mut required: BTreeSet<(usize, usize)> = BTreeSet::new();
+    let require = |key: Option<Key>, required: &mut BTreeSet<(usize, usize)>| {
+        required.extend(key.and_then(|key| first.get(&key)).map(|source| (source.node, source.port)));
+    };
+    asked.iter().for_each(|source| require(key(source), &mut required));
+    let (mut have, mut steps) = (HashMap::new(), Vec::new());
     for (index, node) in graph.nodes.iter().enumerate().rev() {
-        for output in 0..node.types.len() {
-            let Some(key) = ports[index][output].key.filter(|_| required[index][output]) else { continue };
-            if let Some(value) = cache.get(&key) {
-                have.insert(key, value);
+        let mut step = Step { node: index, make: Vec::new(), draws: BTreeSet::new() };
+        for (output, own) in keys[index].iter().enumerate() {
+            let Some(own) = own.filter(|_| required.contains(&(index, output))) else { continue };
+            if let Some(value) = cache.get(&own) {
+                have.insert(own, value);
                 continue;
             }
-            make[index].push(output);
-            for (field, bound) in node.fields.iter().enumerate() {
-                if draws(node, &Params { fields: &known[index] }, field, output) {
-                    for source in bound.sources().iter().filter_map(|source| owner(source, &ports)) {
-                        required[source.node][source.port] = true;
-                    }
-                }
+            step.make.push(Make { port: output, key: own, age: 0 });
+            for drawn in sources(node, &known[index], output).filter_map(key) {
+                step.draws.insert(drawn);
+                require(Some(drawn), &mut required);
             }
         }
+        if !step.make.is_empty() {
+            steps.push(step);
+        }
     }
-    let keys = ports.into_iter().map(|ports| ports.into_iter().map(|port| port.key).collect()).collect();
-    Ok(Plan { keys, make, have })
+    steps.reverse();
+    Plan { keys, steps, have }
 }
 
 /// All that every output of the node depends on: the kind and its version, written parameters and files, declared context.
-fn base_key(node: &CheckedNode, known: &Fields<'_>, files: &mut Files, context: &mut ContextOf<'_>) -> Result<KeyHasher, EvaluateError> {
+fn base_key(node: &CheckedNode, known: &Fields<'_>, files: &mut Files, context: &mut ContextOf<'_>) -> Result<KeyHasher, NodeFailure> {
     let specification = &node.kind.specification;
     let mut hasher = KeyHasher::new();
     hasher.text(&specification.kind);
@@ -152,7 +208,7 @@ fn base_key(node: &CheckedNode, known: &Fields<'_>, files: &mut Files, context: 
 }
 
 /// Adds to `base` what the output draws on.
-fn port_key(node: &CheckedNode, known: &Fields<'_>, output: usize, mut base: KeyHasher, ports: &[Vec<Port>]) -> Key {
+fn port_key(node: &CheckedNode, known: &Fields<'_>, output: usize, mut base: KeyHasher, keys: &Keys) -> Key {
     base.text(&node.kind.specification.outputs[output].name);
     for (field, (name, bound)) in node.kind.specification.field_names().zip(&node.fields).enumerate() {
         if bound.sources().is_empty() || !draws(node, &Params { fields: known }, field, output) {
@@ -160,7 +216,7 @@ fn port_key(node: &CheckedNode, known: &Fields<'_>, output: usize, mut base: Key
         }
         base.text(name);
         base.number(bound.sources().len() as u64);
-        for key in bound.sources().iter().filter_map(|source| ports[source.node][source.port].key) {
+        for key in bound.sources().iter().filter_map(|source| keys[source.node][source.port]) {
             base.key(&key);
         }
     }

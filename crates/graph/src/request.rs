@@ -10,6 +10,7 @@ use crate::literal::Literal;
 #[derive(Clone, Default)]
 pub struct Request {
     pub(crate) outputs: Vec<String>,
+    pub(crate) all_values: bool,
     pub(crate) context: BTreeMap<String, Literal>,
     pub(crate) cancel: CancelToken,
     pub(crate) observer: Option<Arc<dyn Observer>>,
@@ -28,6 +29,13 @@ impl Request {
     #[must_use]
     pub fn and_output(mut self, output: &str) -> Self {
         self.outputs.push(output.to_owned());
+        self
+    }
+    /// Keeping every value that has a part in the run, for statistics. Without it a value is dropped when the last node that draws on it
+    /// is done, unless it was asked for or the cache has room for it.
+    #[must_use]
+    pub fn with_all_values(mut self) -> Self {
+        self.all_values = true;
         self
     }
     /// A context value, such as `frame`. Only nodes that declare it depend on it.

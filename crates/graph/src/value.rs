@@ -37,6 +37,10 @@ impl Value {
         (*self.any).type_id()
     }
 
+    /// Where the shared value is: the same for clones, and for no other value as long as one of them is there.
+    pub(crate) fn address(&self) -> usize {
+        Arc::as_ptr(&self.any).cast::<()>() as usize
+    }
     pub(crate) fn any(&self) -> &(dyn Any + Send + Sync) {
         &*self.any
     }

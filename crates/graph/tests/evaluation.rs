@@ -40,7 +40,7 @@ fn what_nobody_asks_for_does_not_run() {
     use State::{Computed, NotNeeded};
     let expected = [("sum", Computed), ("left", Computed), ("right", Computed), ("two", Computed), ("aside", NotNeeded)];
     assert_eq!(states(&evaluation), expected);
-    assert!(matches!(evaluation.get::<f64>("aside.value"), Err(EvaluateError::NoSuchOutput { .. })));
+    assert!(matches!(evaluation.get::<f64>("aside.value"), Err(EvaluateError::NotKept { .. })));
 }
 
 #[test]
@@ -48,7 +48,7 @@ fn a_second_run_is_all_hits() {
     let mut evaluator = counting(1 << 20);
     let first = evaluator.run(&checked(DIAMOND), &Request::main()).unwrap();
     ran(&evaluator);
-    let second = evaluator.run(&checked(DIAMOND), &Request::main()).unwrap();
+    let second = evaluator.run(&checked(DIAMOND), &Request::main().with_all_values()).unwrap();
     assert!(ran(&evaluator).is_empty());
     assert_eq!(keys(&first), keys(&second));
     let hits = second.trace().iter().filter(|entry| entry.state == State::Hit).count();
@@ -102,7 +102,7 @@ fn equal_nodes_run_once() {
         "sum": Add(a: "c.sum", b: "d.sum"),
     }, output: "sum.sum")"#;
     let mut evaluator = counting(1 << 20);
-    let evaluation = evaluator.run(&checked(text), &Request::main()).unwrap();
+    let evaluation = evaluator.run(&checked(text), &Request::main().with_all_values()).unwrap();
     assert_eq!(ran(&evaluator), ["b", "c", "d", "sum"]);
     assert_eq!(*evaluation.main::<f64>().unwrap(), 6.0);
     assert!(Arc::ptr_eq(&evaluation.get::<f64>("a.value").unwrap(), &evaluation.get::<f64>("b.value").unwrap()));
@@ -166,7 +166,7 @@ fn only_declared_context_is_in_the_key() {
     })"#;
     let mut evaluator = counting(1 << 20);
     let mut frame = |frame: i64| {
-        let request = Request::output("sum.text").and_output("fixed.sum").with_context("frame", frame);
+        let request = Request::output("sum.text").and_output("fixed.sum").and_output("now.frame").with_context("frame", frame);
         let evaluation = evaluator.run(&checked(text), &request).unwrap();
         (*evaluation.get::<i64>("now.frame").unwrap(), ran(&evaluator))
     };
@@ -279,7 +279,7 @@ fn a_resource_is_made_once_when_asked_for_and_its_error_comes_back_whole() {
     let evaluation = evaluator.run(&graph, &request).unwrap();
     assert_eq!((*evaluation.get::<u64>("b.value").unwrap(), tries.load(Ordering::Relaxed)), (8, 2));
     let error = Evaluator::new(0).run(&graph, &request).unwrap_err().to_string();
-    assert_eq!(error, "node \"a\" (Shared): this program provides no u64");
+    assert_eq!(error, "node \"a\" (Shared): this program provides no u64\nnode \"b\" (Shared): this program provides no u64");
 }
 
 #[test]
