@@ -168,7 +168,12 @@ impl Mesh {
 
     /// The length of the diagonal of [`Mesh::bounds`], which the project calls the model's *diameter*; 0 without faces.
     pub fn diameter(&self) -> f64 {
-        self.bounds().map_or(0.0, |(low, high)| low.distance(high))
+        self.bounds().map_or(0.0, |(low, high)| {
+            // Halved, as the extent of the greatest numbers is greater still; and measured by its largest part, whose square may be out of range.
+            let half = 0.5 * high - 0.5 * low;
+            let largest = half.max_element();
+            if largest > 0.0 { 2.0 * largest * (half / largest).length() } else { 0.0 }
+        })
     }
 
     /// How many bytes it holds, for a cache to count.

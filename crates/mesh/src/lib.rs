@@ -32,9 +32,11 @@
 //! the three half-edges of face *f* are 3*f*, 3*f* + 1 and 3*f* + 2, so that a half-edge's face, next and previous are arithmetic and only its
 //! mate is stored. G. Thürmer, C. A. Wüthrich: Computing Vertex Normals from Polygonal Facets, Journal of Graphics Tools 3(1), 1998.
 
+mod geodesic;
 mod geometry;
 mod handles;
 mod obj;
+mod point;
 mod primitives;
 mod quality;
 mod repair;
@@ -43,9 +45,11 @@ mod topology;
 mod vector;
 mod views;
 
+pub use geodesic::{Distances, GeodesicError, Geodesics, Source};
 pub use geometry::{Mesh, MeshError};
 pub use handles::{FaceId, HalfEdgeId, VertexId};
 pub use obj::{Import, Note, ObjError, ObjFault, parse_obj, read_obj};
+pub use point::SurfacePoint;
 pub use primitives::{MOST_PRIMITIVE_FACES, PrimitiveError, plane, rounded_die, sphere, torus};
 pub use quality::Quality;
 pub use repair::{RepairError, RepairReport, RepairSettings, Repaired, Soup, WELD_TOLERANCE, repair};
