@@ -20,7 +20,7 @@ fn main() -> Result<(), Box<dyn Error>> {
 
     let (low, high) = mesh.bounds().ok_or("the model has no faces")?;
     let constraints = [Constraint { at: low, along: DVec3::X }, Constraint { at: high, along: DVec3::NEG_Y }];
-    report("two constraints", &mesh, &DirectionField::from_constraints(&mesh, &constraints, 0.2)?)
+    report("two constraints", &mesh, &DirectionField::from_constraints(&mesh, &constraints, &[], 0.2)?)
 }
 
 fn report(name: &str, mesh: &Mesh, field: &DirectionField) -> Result<(), Box<dyn Error>> {

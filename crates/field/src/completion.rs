@@ -160,15 +160,16 @@ impl<'a> Completion<'a> {
     }
 }
 
-/// The first coordinate axis that is far enough from the normal.
-fn any_tangent(normal: DVec3) -> DVec3 {
+/// The unit tangent along the first coordinate axis that is far enough from the normal.
+pub(crate) fn any_tangent(normal: DVec3) -> DVec3 {
     // One of three squares that add up to 1 is at most a third.
-    DVec3::AXES.into_iter().find(|axis| axis.dot(normal).powi(2) < 0.4).unwrap_or(DVec3::X)
+    let axis = DVec3::AXES.into_iter().find(|axis| axis.dot(normal).powi(2) < 0.4).unwrap_or(DVec3::X);
+    unit(tangent_part(axis, normal))
 }
 
 /// The sum of a vertex's neighbours' vectors, brought to its tangent plane, and how many neighbours there are.
 #[inline]
-fn neighbour_sum(topology: &Topology, normals: &[DVec3], vectors: &[DVec3], vertex: VertexId) -> (DVec3, u32) {
+pub(crate) fn neighbour_sum(topology: &Topology, normals: &[DVec3], vectors: &[DVec3], vertex: VertexId) -> (DVec3, u32) {
     let here = normals[vertex.index()];
     topology
         .vertex(vertex)

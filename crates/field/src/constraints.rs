@@ -5,6 +5,7 @@ use pelage_mesh::{Mesh, Vertex, VertexId, unit};
 
 use crate::FieldError;
 use crate::distance::Network;
+use crate::point::{self, PointConstraint, Spread};
 
 /// A direction wanted at a place.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -18,44 +19,99 @@ pub struct Constraint {
 /// How much of the tie break is added where constraints cancel: a twentieth of a degree.
 const TIE_BREAK: f64 = 1e-3;
 
-/// The mean of the constraints' directions at each vertex, weighted by Gaussians over shortest paths; at most 1 long.
-///
-/// Where constraints contradict each other some of `tie_break` is added, so that between opposite ones the field turns by one side
-/// throughout: else rounding would choose the side anew at each edge, and leave a row of singularities.
-pub(crate) fn blend(
-    mesh: &Mesh,
-    constraints: &[Constraint],
-    directions: &[DVec3],
-    radius: f64,
-    tie_break: DVec3,
-) -> Result<Vec<DVec3>, FieldError> {
-    if mesh.topology().face_count() == 0 {
-        return Err(FieldError::NoSurface);
-    }
-    let network = Network::new(mesh);
-    let mut blends = vec![Blend::default(); mesh.positions().len()];
-    for (constraint, &direction) in constraints.iter().zip(directions) {
-        let Some(source) = nearest_vertex(mesh, constraint.at) else { continue };
-        network.walk([source], |vertex, distance| {
-            blends[vertex.index()].add(0.5 * (distance / radius).powi(2), direction);
-        });
-    }
-    let sum: DVec3 = directions.iter().sum();
-    let overall = if sum.length() > 1e-9 { unit(sum) } else { directions[0] };
-    let wanted = |blend: Blend| {
-        let mean = blend.mean().unwrap_or(overall);
-        mean + TIE_BREAK * (1.0 - mean.length()).max(0.0) * tie_break
-    };
-    Ok(blends.into_iter().map(wanted).collect())
+/// What is wanted at a few places, checked.
+pub(crate) struct Constraints<'a> {
+    pub(crate) vectors: &'a [Constraint],
+    /// The vectors' directions, of unit length.
+    pub(crate) directions: &'a [DVec3],
+    pub(crate) points: &'a [PointConstraint],
+    /// Standard deviation of the Gaussians, in diameters.
+    pub(crate) radius: f64,
 }
 
-/// The constraints' directions as unit vectors.
-pub(crate) fn checked_directions(constraints: &[Constraint], radius: f64) -> Result<Vec<DVec3>, FieldError> {
-    if constraints.is_empty() {
+impl Constraints<'_> {
+    /// The mean of the constraints' directions at each vertex, weighted by Gaussians over shortest paths; at most 1 long.
+    ///
+    /// Where constraints contradict each other some of `tie_break` is added, so that between opposite ones the field turns by one side
+    /// throughout: else rounding would choose the side anew at each edge, and leave a row of singularities.
+    pub(crate) fn blend(&self, mesh: &Mesh, normals: &[DVec3], tie_break: DVec3) -> Vec<DVec3> {
+        let network = Network::new(mesh);
+        let points: Vec<Spread> = self.points.iter().filter_map(|point| Spread::of(point, mesh, normals)).collect();
+        let gaps: Vec<Gaps> = mesh.vertices().map(|vertex| self.gaps(&points, vertex.id())).collect();
+        let mut blends = vec![Blend::default(); mesh.positions().len()];
+        for (constraint, &direction) in self.vectors.iter().zip(self.directions) {
+            let Some(source) = nearest_vertex(mesh, constraint.at) else { continue };
+            network.walk([source], |vertex, distance| {
+                blends[vertex.index()].add(self.exponent(distance) + gaps[vertex.index()].all(), direction);
+            });
+        }
+        for (k, blend) in blends.iter_mut().enumerate() {
+            for point in &points {
+                let exponent = self.exponent(point.distances[k]);
+                blend.add(exponent + gaps[k].but(gap(exponent)), point.directions[k]);
+            }
+        }
+        let sum: DVec3 = self.directions.iter().sum();
+        let overall = if sum.length() > 1e-9 { unit(sum) } else { self.directions.first().copied().unwrap_or_default() };
+        let wanted = |blend: Blend| {
+            let mean = blend.mean().unwrap_or(overall);
+            mean + TIE_BREAK * (1.0 - mean.length()).max(0.0) * tie_break
+        };
+        blends.into_iter().map(wanted).collect()
+    }
+
+    /// A Gaussian's weight is e^(−this).
+    fn exponent(&self, distance: f64) -> f64 {
+        0.5 * (distance / self.radius).powi(2)
+    }
+
+    fn gaps(&self, points: &[Spread], vertex: VertexId) -> Gaps {
+        let mut gaps = Gaps::default();
+        for point in points {
+            match gap(self.exponent(point.distances[vertex.index()])) {
+                f64::INFINITY => gaps.infinite += 1,
+                finite => gaps.finite += finite,
+            }
+        }
+        gaps
+    }
+}
+
+/// The exponent of the gap that a point leaves in the weights of all others: e^(−gap) = 1 − e^(−exponent).
+fn gap(exponent: f64) -> f64 {
+    -libm::log(-libm::expm1(-exponent))
+}
+
+/// The exponents of all points' gaps at one vertex.
+#[derive(Clone, Copy, Default)]
+struct Gaps {
+    finite: f64,
+    infinite: u32,
+}
+
+impl Gaps {
+    fn all(self) -> f64 {
+        if self.infinite == 0 { self.finite } else { f64::INFINITY }
+    }
+
+    /// Without one of them.
+    fn but(self, own: f64) -> f64 {
+        let others =
+            if own.is_infinite() { Self { infinite: self.infinite - 1, ..self } } else { Self { finite: self.finite - own, ..self } };
+        others.all()
+    }
+}
+
+/// The vectors' directions at unit length, if all constraints are good.
+pub(crate) fn checked_directions(vectors: &[Constraint], points: &[PointConstraint], radius: f64) -> Result<Vec<DVec3>, FieldError> {
+    if vectors.is_empty() && points.is_empty() {
         return Err(FieldError::NoConstraints);
     }
     if !(1e-3..=100.0).contains(&radius) {
         return Err(FieldError::Radius(radius));
+    }
+    for (index, constraint) in points.iter().enumerate() {
+        point::check(index, constraint)?;
     }
     let direction = |(constraint, &Constraint { at, along }): (usize, &Constraint)| {
         if !at.is_finite() {
@@ -64,7 +120,7 @@ pub(crate) fn checked_directions(constraints: &[Constraint], radius: f64) -> Res
         let direction = unit(along);
         if direction == DVec3::ZERO { Err(FieldError::ConstraintDirection { constraint, along }) } else { Ok(direction) }
     };
-    constraints.iter().enumerate().map(direction).collect()
+    vectors.iter().enumerate().map(direction).collect()
 }
 
 /// The referenced vertex nearest to a place; of equally near ones the first.
@@ -91,7 +147,11 @@ impl Default for Blend {
 }
 
 impl Blend {
+    /// Nothing at an infinite exponent.
     fn add(&mut self, exponent: f64, direction: DVec3) {
+        if exponent == f64::INFINITY {
+            return;
+        }
         if exponent < self.least {
             let shrink = libm::exp(exponent - self.least);
             (self.sum, self.weight, self.least) = (self.sum * shrink, self.weight * shrink, exponent);
@@ -112,7 +172,7 @@ mod tests {
 
     #[test]
     fn weights_are_gaussians_in_any_order() {
-        let terms = [(900.0, DVec3::X), (2.0, DVec3::Y), (1.5, DVec3::Z), (2000.0, DVec3::ONE)];
+        let terms = [(f64::INFINITY, DVec3::ONE), (900.0, DVec3::X), (2.0, DVec3::Y), (1.5, DVec3::Z), (2000.0, DVec3::ONE)];
         let expected = {
             let (y, z) = ((-0.5_f64).exp(), 1.0);
             DVec3::new(0.0, y, z) / (y + z)

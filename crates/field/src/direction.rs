@@ -5,7 +5,8 @@ use pelage_mesh::{FaceId, Mesh, VertexId, unit};
 
 use crate::FieldError;
 use crate::completion::{Completion, smooth_once};
-use crate::constraints::{Constraint, blend, checked_directions};
+use crate::constraints::{Constraint, Constraints, checked_directions};
+use crate::point::PointConstraint;
 use crate::transport::tangent_part;
 
 /// A unit tangent vector at each vertex, in model coordinates: which way the fur lies.
@@ -39,10 +40,11 @@ impl DirectionField {
         if wanted == DVec3::ZERO {
             return Err(FieldError::NoDirection(direction));
         }
-        Self::from_wanted(mesh, &vec![wanted; mesh.positions().len()], across(&[wanted]))
+        Self::completed(mesh, &vec![wanted; mesh.positions().len()], across(&[wanted]))
     }
 
-    /// A few directions at places on the surface, spread over it (L2; Praun, Finkelstein and Hoppe 2000, section 4).
+    /// A few directions at places on the surface, and a few places that the fur lies about, spread over it (L2, L25; Praun, Finkelstein and
+    /// Hoppe 2000, section 4).
     ///
     /// At each vertex the constraints' unit vectors are averaged, each with a Gaussian of its distance: the shortest path along edges from the
     /// vertex nearest to the constraint's place. `radius` is the Gaussians' standard deviation, as a fraction of the model's diameter, 0.001 to
@@ -50,19 +52,61 @@ impl DirectionField {
     /// divided by the greatest of them, so that no place is too far to be ruled by its nearest constraint. The mean is projected to the
     /// tangent plane, scaled to unit length, and where it is too short for that ([`LEAST_PROJECTION`](crate::LEAST_PROJECTION)) completed smoothly.
     ///
-    /// A piece of surface that holds no constraint follows the mean of all the constraints' vectors, or the first one if they cancel, as
-    /// [`DirectionField::toward`] does. Time is that of a Dijkstra walk for each constraint.
+    /// A point's vector at a vertex is the geodesic direction away from the middle of the face nearest to it, turned as its
+    /// [`Flow`](crate::Flow) says. Every other constraint is also weighted by 1 less the point's Gaussian, so that a point rules alone at its own
+    /// place: [`singularities`](crate::singularities) finds its index in that face. Two points in one face, or in faces that touch, cannot
+    /// both be had. What further singularities the surface asks for (indices add up to its χ) lie where the field is led to them.
+    ///
+    /// A piece of surface that holds no constraint follows the mean of all the vectors, or the first one if they cancel, as
+    /// [`DirectionField::toward`] does; without vectors, the coordinate axis of which most lies in it. Time is that of a Dijkstra walk for each
+    /// constraint, memory one number and one vector a vertex for each point.
     ///
     /// # Errors
     /// Where there are no constraints, a vector is zero, a number is not finite, the radius is out of range, or the mesh has no faces.
-    pub fn from_constraints(mesh: &Mesh, constraints: &[Constraint], radius: f64) -> Result<Self, FieldError> {
-        let directions = checked_directions(constraints, radius)?;
+    ///
+    /// ```
+    /// use glam::DVec3;
+    /// use pelage_field::{DirectionField, Flow, PointConstraint, singularities};
+    ///
+    /// // A crown: the fur whirls about the top, clockwise and outwards.
+    /// let ball = pelage_mesh::sphere(1.0, 10)?;
+    /// let crown = PointConstraint { at: DVec3::Y, flow: Flow::Turned(-1.0) };
+    /// let field = DirectionField::from_constraints(&ball, &[], &[crown], 0.2)?;
+    /// let found = singularities(&ball, &field)?;
+    /// assert!(found.iter().any(|s| s.index == 1 && ball.face(s.face).centre().y > 0.99));
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn from_constraints(mesh: &Mesh, vectors: &[Constraint], points: &[PointConstraint], radius: f64) -> Result<Self, FieldError> {
+        let directions = checked_directions(vectors, points, radius)?;
+        if mesh.topology().face_count() == 0 {
+            return Err(FieldError::NoSurface);
+        }
         let tie_break = across(&directions);
-        Self::from_wanted(mesh, &blend(mesh, constraints, &directions, radius, tie_break)?, tie_break)
+        let normals = mesh.vertex_normals();
+        let wanted = Constraints { vectors, directions: &directions, points, radius }.blend(mesh, &normals, tie_break);
+        Ok(Self { vectors: Completion::new(mesh, &normals, &wanted, tie_break).finish(mesh) })
     }
 
-    /// Projects a wanted vector at each vertex, at most 1 long, and completes what is left over.
-    fn from_wanted(mesh: &Mesh, wanted: &[DVec3], tie_break: DVec3) -> Result<Self, FieldError> {
+    /// A field from elsewhere, such as a painted one or a formula: a vector at each vertex, of any length, projected to the tangent plane.
+    /// Where it is zero, or points straight out of the surface ([`LEAST_PROJECTION`](crate::LEAST_PROJECTION)), the field is completed as by
+    /// [`DirectionField::toward`].
+    ///
+    /// # Errors
+    /// Where there is not one vector for each vertex, one is not finite, or the mesh has no faces.
+    pub fn from_vectors(mesh: &Mesh, vectors: &[DVec3]) -> Result<Self, FieldError> {
+        let (values, expected) = (vectors.len(), mesh.positions().len());
+        if values != expected {
+            return Err(FieldError::Length { values, expected });
+        }
+        if let Some(vertex) = vectors.iter().position(|v| !v.is_finite()) {
+            return Err(FieldError::NotFinite { vertex });
+        }
+        let wanted: Vec<DVec3> = vectors.iter().map(|&v| unit(v)).collect();
+        Self::completed(mesh, &wanted, across(&wanted))
+    }
+
+    /// From a vector wanted at each vertex, at most 1 long.
+    fn completed(mesh: &Mesh, wanted: &[DVec3], tie_break: DVec3) -> Result<Self, FieldError> {
         if mesh.topology().face_count() == 0 {
             return Err(FieldError::NoSurface);
         }
@@ -116,6 +160,6 @@ impl DirectionField {
 
 /// A unit vector across most of some directions, and along no coordinate axis if it can be, as flat sides of models often lie across one.
 fn across(directions: &[DVec3]) -> DVec3 {
-    let along: DVec3 = directions.iter().map(|&d| d * d).sum::<DVec3>() / directions.len() as f64;
+    let along: DVec3 = directions.iter().map(|&d| d * d).sum::<DVec3>() / directions.len().max(1) as f64;
     unit((DVec3::ONE - along) * DVec3::new(1.0, 0.8, 0.6))
 }

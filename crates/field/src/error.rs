@@ -11,7 +11,7 @@ pub enum FieldError {
     #[error("the direction is {0}, which points nowhere; give a vector with a finite length other than 0")]
     NoDirection(glam::DVec3),
     /// There are no constraints.
-    #[error("there are no constraints; give at least one place with a direction")]
+    #[error("there are no constraints; give at least one place with a direction, or one that the fur lies about")]
     NoConstraints,
     /// A constraint's direction is zero or not finite.
     #[error("constraint {constraint} points along {along}, which is nowhere; give a vector with a finite length other than 0")]
@@ -28,6 +28,30 @@ pub enum FieldError {
         constraint: usize,
         /// Its place.
         at: glam::DVec3,
+    },
+    /// A point constraint's place is not finite.
+    #[error("point {constraint} is at {at}, which is no place; mend its coordinates")]
+    PointPlace {
+        /// The point constraint, from 0.
+        constraint: usize,
+        /// Its place.
+        at: glam::DVec3,
+    },
+    /// A point constraint's turn is not finite.
+    #[error("point {constraint} is turned by {angle}, which is no angle; give a finite number of radians")]
+    PointTurn {
+        /// The point constraint, from 0.
+        constraint: usize,
+        /// Its angle.
+        angle: f64,
+    },
+    /// The axis of a saddle is zero or not finite.
+    #[error("point {constraint} is a saddle along {along}, which is nowhere; give a vector with a finite length other than 0")]
+    PointDirection {
+        /// The point constraint, from 0.
+        constraint: usize,
+        /// Its axis.
+        along: glam::DVec3,
     },
     /// The radius of the Gaussians is out of range.
     #[error("the radius is {0}; give a fraction of the model's diameter from 0.001 to 100")]

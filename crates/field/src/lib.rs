@@ -1,8 +1,8 @@
 //! Fields on a surface: one value for each vertex.
 //!
 //! [`ScalarField`] holds numbers such as lengths, [`ColourField`] colours in linear light, and [`DirectionField`] unit tangents: which way fur lies.
-//! A direction field comes from one direction for the whole model or from a few at chosen places, is unit and tangent everywhere, also
-//! where the given directions say nothing, and tells where it cannot be continuous ([`singularities`]).
+//! A direction field comes from one direction for the whole model, or from a few at chosen places and whirls, sources, sinks and saddles about
+//! others. It is unit and tangent everywhere, also where what is given says nothing, and tells where it cannot be continuous ([`singularities`]).
 //!
 //! # Convention
 //! Everything is in the model's coordinates, and nothing depends on its scale: distances are measured in diameters
@@ -18,7 +18,7 @@
 //!     Constraint { at: DVec3::X, along: DVec3::NEG_Y },
 //!     Constraint { at: DVec3::NEG_X, along: DVec3::Y },
 //! ];
-//! let field = DirectionField::from_constraints(&ball, &constraints, 0.25)?;
+//! let field = DirectionField::from_constraints(&ball, &constraints, &[], 0.25)?;
 //! // No field on a sphere is continuous: indices add up to 2.
 //! let indices = singularities(&ball, &field)?.iter().map(|s| s.index).sum::<i32>();
 //! assert_eq!(indices, 2);
@@ -30,7 +30,8 @@
 //!
 //! # Sources
 //! E. Praun, A. Finkelstein, H. Hoppe: Lapped Textures, SIGGRAPH 2000 (spreading a few vectors). F. Knöppel, K. Crane, U. Pinkall, P. Schröder:
-//! Globally Optimal Direction Fields, SIGGRAPH 2013 (transport, indices, smoothness).
+//! Globally Optimal Direction Fields, SIGGRAPH 2013 (transport, indices, smoothness). E. L. Melvær, M. Reimers: Geodesic
+//! Polar Coordinates on Polygonal Meshes, Computer Graphics Forum 31(8), 2012 (directions about a place).
 
 mod colour;
 mod completion;
@@ -38,7 +39,10 @@ mod constraints;
 mod direction;
 mod distance;
 mod error;
+mod fan;
 mod image;
+mod point;
+mod polar;
 mod scalar;
 mod singularity;
 mod transport;
@@ -48,5 +52,6 @@ pub use completion::LEAST_PROJECTION;
 pub use constraints::Constraint;
 pub use direction::DirectionField;
 pub use error::FieldError;
+pub use point::{Flow, PointConstraint};
 pub use scalar::ScalarField;
 pub use singularity::{Singularity, boundary_turning, singularities};

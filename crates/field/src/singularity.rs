@@ -2,9 +2,9 @@
 
 use std::f64::consts::{PI, TAU};
 
-use glam::{DVec2, DVec3};
-use pelage_mesh::{BoundaryLoop, Face, FaceId, HalfEdge, Mesh, Vertex, unit};
+use pelage_mesh::{BoundaryLoop, Face, FaceId, HalfEdge, Mesh};
 
+use crate::fan::{angle_of, lay_out};
 use crate::{DirectionField, FieldError};
 
 /// A face around which the field turns.
@@ -66,14 +66,20 @@ impl Angles {
     fn new(mesh: &Mesh, field: &DirectionField) -> Result<Self, FieldError> {
         field.check(mesh)?;
         let topology = mesh.topology();
-        let mut corners: Vec<f64> = mesh.faces().flat_map(Face::angles).collect();
-        let mut directions = vec![0.0; corners.len()];
+        let angles: Vec<f64> = mesh.faces().flat_map(Face::angles).collect();
+        let mut corners = vec![0.0; angles.len()];
+        let mut directions = vec![0.0; angles.len()];
         let mut rounds = vec![0.0; topology.vertex_count()];
         let mut at_vertices = vec![0.0; topology.vertex_count()];
         let normals = mesh.vertex_normals();
         for vertex in mesh.vertices() {
-            rounds[vertex.index()] = lay_out(vertex, &mut corners, &mut directions);
-            at_vertices[vertex.index()] = angle_of(vertex, normals[vertex.index()], field.at_vertex(vertex.id()), &directions);
+            rounds[vertex.index()] = lay_out(
+                vertex,
+                |h| angles[h.index()],
+                |h, direction, corner| (directions[h.index()], corners[h.index()]) = (direction, corner),
+            );
+            let vector = field.at_vertex(vertex.id());
+            at_vertices[vertex.index()] = angle_of(vertex, normals[vertex.index()], vector, |h| directions[h.index()]);
         }
         Ok(Self { corners, directions, field: at_vertices, rounds })
     }
@@ -98,35 +104,4 @@ impl Angles {
     fn curvature(&self, face: Face<'_, Mesh>) -> f64 {
         face.half_edges().map(|h| self.corners[h.index()]).into_iter().sum::<f64>() - PI
     }
-}
-
-/// Stretches the corners at an inner vertex to a full round, and gives each half-edge that leaves the vertex its angle. Returns the round.
-fn lay_out(vertex: Vertex<'_, Mesh>, corners: &mut [f64], directions: &mut [f64]) -> f64 {
-    let total: f64 = vertex.leaving().map(|h| corners[h.index()]).sum();
-    let stretch = if vertex.is_boundary() || total <= 0.0 { 1.0 } else { TAU / total };
-    let mut direction = 0.0;
-    for h in vertex.leaving() {
-        corners[h.index()] *= stretch;
-        directions[h.index()] = direction;
-        direction += corners[h.index()];
-    }
-    direction
-}
-
-/// The angle of a tangent vector in the layout of a vertex, which is turned so that its edges lie as near as can be to where they are seen
-/// along the normal.
-fn angle_of(vertex: Vertex<'_, Mesh>, normal: DVec3, vector: DVec3, directions: &[f64]) -> f64 {
-    if vector == DVec3::ZERO {
-        return 0.0;
-    }
-    // Seen from the vector itself, so that its own angle is 0.
-    let sideways = normal.cross(vector);
-    let misfit = |h: HalfEdge<'_, Mesh>| {
-        let edge = unit(h.vector());
-        let seen = DVec2::new(edge.dot(vector), edge.dot(sideways));
-        let (sin, cos) = libm::sincos(directions[h.index()]);
-        DVec2::new(cos, -sin).rotate(seen)
-    };
-    let sum: DVec2 = vertex.leaving().map(misfit).sum();
-    -libm::atan2(sum.y, sum.x)
 }

@@ -1,56 +1,12 @@
 //! Direction fields: unit, tangent, where they are wanted, at any scale.
 #![allow(clippy::unwrap_used, clippy::print_stdout, reason = "a test may fail, and says what it leaves out")]
 
-use std::path::Path;
+mod common;
 
+use common::{assert_unit_and_tangent, models};
 use glam::DVec3;
 use pelage_field::{Constraint, DirectionField, FieldError, LEAST_PROJECTION, boundary_turning, singularities};
-use pelage_mesh::{Edge, Mesh, Vertex, plane, read_obj, rounded_die, sphere, torus};
-
-/// The clean models of the folder `PELAGE_MODELS`, and our own.
-fn models() -> Vec<(String, Mesh)> {
-    let bunny = read_obj(&Path::new(env!("CARGO_MANIFEST_DIR")).join("../../graphs/models/bunny.obj")).unwrap().mesh;
-    let corners = vec![DVec3::ZERO, DVec3::X, DVec3::Y, DVec3::Z];
-    let tetrahedron = Mesh::from_triangles(corners, &[[0, 2, 1], [0, 1, 3], [1, 2, 3], [2, 0, 3]]).unwrap();
-    let mut models = vec![
-        ("tetrahedron".to_owned(), tetrahedron),
-        ("bunny".to_owned(), bunny),
-        ("sphere".to_owned(), sphere(1.0, 14).unwrap()),
-        // So coarse that each face is a great part of the whole curvature.
-        ("icosahedron".to_owned(), sphere(1.0, 1).unwrap()),
-        ("coarse torus".to_owned(), torus(1.0, 0.4, 4, 3).unwrap()),
-        ("torus".to_owned(), torus(1.0, 0.4, 40, 24).unwrap()),
-        ("die".to_owned(), rounded_die(1.0, 0.3, 20).unwrap()),
-        ("plane".to_owned(), plane(1.0, 1.0, 12, 12).unwrap()),
-    ];
-    let Some(folder) = std::env::var_os("PELAGE_MODELS") else {
-        println!("PELAGE_MODELS is not set: the real models are not looked at");
-        return models;
-    };
-    let real = Path::new(&folder).join("real");
-    let topology: serde_json::Map<String, serde_json::Value> =
-        serde_json::from_str(&std::fs::read_to_string(real.join("topology.json")).unwrap()).unwrap();
-    let is_clean = |model: &serde_json::Value| {
-        let faults = ["nm_edges", "flip_edges", "nm_verts", "dup_faces", "degen"];
-        faults.iter().all(|&fault| model[fault] == 0) && model["genus"].as_f64().is_some_and(|genus| genus.fract() == 0.0)
-    };
-    let clean = topology.into_iter().filter(|(_, model)| is_clean(model));
-    let read: Vec<_> = clean.map(|(name, _)| (name.clone(), read_obj(&real.join(format!("{name}.obj"))).unwrap().mesh)).collect();
-    assert!(read.len() >= 12);
-    models.extend(read);
-    models
-}
-
-fn assert_unit_and_tangent(name: &str, mesh: &Mesh, field: &DirectionField) {
-    for ((vertex, v), n) in mesh.vertices().zip(field.vectors()).zip(mesh.vertex_normals()) {
-        if vertex.is_referenced() && n != DVec3::ZERO {
-            assert!((v.length() - 1.0).abs() < 1e-9, "{name}: {vertex:?} has {v}");
-            assert!(v.dot(n).abs() < 1e-9, "{name}: {vertex:?} leaves its plane by {}", v.dot(n));
-        } else {
-            assert_eq!(*v, DVec3::ZERO, "{name}: {vertex:?}");
-        }
-    }
-}
+use pelage_mesh::{Edge, Mesh, Vertex, plane, rounded_die, sphere, torus};
 
 /// Two opposite constraints on either side, as far apart as the model is wide.
 fn opposite(mesh: &Mesh) -> [Constraint; 2] {
@@ -73,7 +29,7 @@ fn unit_and_tangent_everywhere() {
             assert_unit_and_tangent(&name, &mesh, &field.smoothed(&mesh, 5).unwrap());
         }
         for radius in [0.001, 0.25, 100.0] {
-            let field = DirectionField::from_constraints(&mesh, &opposite(&mesh), radius).unwrap();
+            let field = DirectionField::from_constraints(&mesh, &opposite(&mesh), &[], radius).unwrap();
             assert_unit_and_tangent(&name, &mesh, &field);
         }
     }
@@ -82,7 +38,7 @@ fn unit_and_tangent_everywhere() {
 #[test]
 fn indices_add_up_to_the_euler_characteristic_and_the_turning_of_the_boundary() {
     for (name, mesh) in models() {
-        let mut fields = vec![DirectionField::from_constraints(&mesh, &opposite(&mesh), 0.2).unwrap()];
+        let mut fields = vec![DirectionField::from_constraints(&mesh, &opposite(&mesh), &[], 0.2).unwrap()];
         for direction in [DVec3::X, DVec3::Y, DVec3::Z] {
             fields.push(DirectionField::toward(&mesh, direction).unwrap());
         }
@@ -117,12 +73,12 @@ fn the_same_at_any_scale() {
     for (name, mesh) in models() {
         let direction = DVec3::new(0.3, -1.0, 0.2);
         let toward = DirectionField::toward(&mesh, direction).unwrap();
-        let spread = DirectionField::from_constraints(&mesh, &opposite(&mesh), 0.2).unwrap();
+        let spread = DirectionField::from_constraints(&mesh, &opposite(&mesh), &[], 0.2).unwrap();
         for scale in [1e-30, 1e-15, 1e15, 1e30] {
             let other = scaled(&mesh, scale);
             let pairs = [
                 (&toward, DirectionField::toward(&other, scale * direction).unwrap()),
-                (&spread, DirectionField::from_constraints(&other, &opposite(&other), 0.2).unwrap()),
+                (&spread, DirectionField::from_constraints(&other, &opposite(&other), &[], 0.2).unwrap()),
             ];
             for (a, b) in pairs {
                 for (a, b) in a.vectors().iter().zip(b.vectors()) {
@@ -138,7 +94,7 @@ fn the_same_at_any_scale() {
 fn two_runs_agree_to_the_bit() {
     for (name, mesh) in models() {
         let constraints = opposite(&mesh);
-        let make = || DirectionField::from_constraints(&mesh, &constraints, 0.1).unwrap().smoothed(&mesh, 3).unwrap();
+        let make = || DirectionField::from_constraints(&mesh, &constraints, &[], 0.1).unwrap().smoothed(&mesh, 3).unwrap();
         assert!(make() == make(), "{name}");
     }
 }
@@ -188,7 +144,7 @@ fn singularities_lie_where_the_analytic_field_has_them() {
             Constraint { at: 1.4 * DVec3::new(cos, 0.0, -sin), along: DVec3::new(-sin, 0.0, -cos) }
         })
         .collect();
-    let field = DirectionField::from_constraints(&ring, &around, 0.1).unwrap();
+    let field = DirectionField::from_constraints(&ring, &around, &[], 0.1).unwrap();
     assert_eq!(singularities(&ring, &field).unwrap(), []);
 }
 
@@ -199,7 +155,7 @@ fn a_flat_patch_has_no_singularity_and_the_whole_boundary_turning() {
     assert_eq!((singularities(&mesh, &along).unwrap(), boundary_turning(&mesh, &along).unwrap()), (vec![], vec![-1]));
     // Out of the middle: four constraints outwards; the field keeps to the boundary's tangent.
     let outwards: Vec<Constraint> = [DVec3::X, DVec3::Z, DVec3::NEG_X, DVec3::NEG_Z].map(|d| Constraint { at: 0.9 * d, along: d }).into();
-    let field = DirectionField::from_constraints(&mesh, &outwards, 0.2).unwrap();
+    let field = DirectionField::from_constraints(&mesh, &outwards, &[], 0.2).unwrap();
     let found = singularities(&mesh, &field).unwrap();
     assert_eq!((found.len(), found[0].index), (1, 1));
     assert!(mesh.face(found[0].face).centre().length() < 0.3);
@@ -221,7 +177,7 @@ fn constraints_are_met_and_rule_their_surroundings() {
         Constraint { at: DVec3::NEG_Y, along: DVec3::new(-1.0, 0.0, 5.0) },
         Constraint { at: 4.0 * DVec3::Z, along: DVec3::Y },
     ];
-    let field = DirectionField::from_constraints(&ball, &constraints, 0.1).unwrap();
+    let field = DirectionField::from_constraints(&ball, &constraints, &[], 0.1).unwrap();
     for Constraint { at, along } in constraints {
         let near = ball.vertices().filter(|v| v.position().distance(at.normalize()) < 0.3);
         for vertex in near {
@@ -235,7 +191,7 @@ fn opposite_constraints_at_one_place_are_finite() {
     let ball = sphere(1.0, 8).unwrap();
     let here = |along| Constraint { at: DVec3::X, along };
     for constraints in [[here(DVec3::Y), here(-DVec3::Y)], [here(DVec3::X), here(DVec3::X)]] {
-        let field = DirectionField::from_constraints(&ball, &constraints, 0.2).unwrap();
+        let field = DirectionField::from_constraints(&ball, &constraints, &[], 0.2).unwrap();
         assert_unit_and_tangent("ball", &ball, &field);
     }
 }
@@ -248,7 +204,7 @@ fn a_piece_without_constraints_follows_their_mean() {
     let triangles: Vec<_> = one.topology().triangles().chain(one.topology().triangles().map(|t| t.map(|v| v + count))).collect();
     let pair = Mesh::from_triangles(positions, &triangles).unwrap();
     let constraints = [Constraint { at: DVec3::X, along: DVec3::Y }, Constraint { at: DVec3::NEG_X, along: DVec3::Z }];
-    let field = DirectionField::from_constraints(&pair, &constraints, 0.2).unwrap();
+    let field = DirectionField::from_constraints(&pair, &constraints, &[], 0.2).unwrap();
     let toward = DirectionField::toward(&pair, DVec3::new(0.0, 1.0, 1.0)).unwrap();
     for vertex in pair.vertices().map(Vertex::id).skip(count as usize) {
         assert!(field.at_vertex(vertex).distance(toward.at_vertex(vertex)) < 1e-9);
@@ -259,7 +215,9 @@ fn a_piece_without_constraints_follows_their_mean() {
 fn unreferenced_vertices_stay_zero() {
     let mesh = Mesh::from_triangles(vec![DVec3::ZERO, DVec3::X, DVec3::ONE * 9.0, DVec3::Y], &[[0, 1, 3]]).unwrap();
     let constraints = [Constraint { at: DVec3::ONE * 9.0, along: DVec3::X }];
-    for field in [DirectionField::toward(&mesh, DVec3::X).unwrap(), DirectionField::from_constraints(&mesh, &constraints, 1.0).unwrap()] {
+    for field in
+        [DirectionField::toward(&mesh, DVec3::X).unwrap(), DirectionField::from_constraints(&mesh, &constraints, &[], 1.0).unwrap()]
+    {
         assert_eq!(field.vectors(), [DVec3::X, DVec3::X, DVec3::ZERO, DVec3::X]);
     }
 }
@@ -270,18 +228,18 @@ fn what_makes_no_field_is_refused() {
     for bad in [DVec3::ZERO, DVec3::NAN, DVec3::new(1.0, f64::INFINITY, 0.0)] {
         assert!(matches!(DirectionField::toward(&ball, bad), Err(FieldError::NoDirection(_))));
         let constraints = [Constraint { at: DVec3::X, along: DVec3::Y }, Constraint { at: DVec3::X, along: bad }];
-        let error = DirectionField::from_constraints(&ball, &constraints, 0.2).unwrap_err();
+        let error = DirectionField::from_constraints(&ball, &constraints, &[], 0.2).unwrap_err();
         assert!(matches!(error, FieldError::ConstraintDirection { constraint: 1, .. }));
     }
     let one = [Constraint { at: DVec3::NAN, along: DVec3::Y }];
-    assert!(matches!(DirectionField::from_constraints(&ball, &one, 0.2), Err(FieldError::ConstraintPlace { constraint: 0, .. })));
-    assert_eq!(DirectionField::from_constraints(&ball, &[], 0.2), Err(FieldError::NoConstraints));
+    assert!(matches!(DirectionField::from_constraints(&ball, &one, &[], 0.2), Err(FieldError::ConstraintPlace { constraint: 0, .. })));
+    assert_eq!(DirectionField::from_constraints(&ball, &[], &[], 0.2), Err(FieldError::NoConstraints));
     let one = [Constraint { at: DVec3::X, along: DVec3::Y }];
     for radius in [0.0, -1.0, f64::NAN, 1e3] {
-        assert!(matches!(DirectionField::from_constraints(&ball, &one, radius), Err(FieldError::Radius(_))));
+        assert!(matches!(DirectionField::from_constraints(&ball, &one, &[], radius), Err(FieldError::Radius(_))));
     }
     assert_eq!(DirectionField::toward(&empty, DVec3::X), Err(FieldError::NoSurface));
-    assert_eq!(DirectionField::from_constraints(&empty, &one, 0.2), Err(FieldError::NoSurface));
+    assert_eq!(DirectionField::from_constraints(&empty, &one, &[], 0.2), Err(FieldError::NoSurface));
     let field = DirectionField::toward(&ball, DVec3::X).unwrap();
     assert!(matches!(singularities(&empty, &field), Err(FieldError::Length { .. })));
     assert!(matches!(field.smoothed(&empty, 1), Err(FieldError::Length { .. })));

@@ -40,7 +40,7 @@ mod shading;
 mod stats;
 
 pub use coat::LayFur;
-pub use fields::{ColourRamp, DirectionConstraint, DirectionFieldNode, ImageField, ScalarRamp};
+pub use fields::{ColourRamp, DirectionConstraint, DirectionFieldNode, DirectionPoint, ImageField, PointFlow, ScalarRamp};
 pub use framing::{CameraNode, Framing};
 pub use hair::{FinDirection, GrowStrands, HairStyle, HairUndercoat, SampleFin, SampleShells};
 pub use models::{ObjFile, Plane, RoundedDie, Sphere, Torus};
