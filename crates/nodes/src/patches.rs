@@ -9,7 +9,7 @@ use pelage_patch::{PatchTiling, Settings};
 
 /// Grows lapped patches until every face belongs to exactly one (L3, L4, L5).
 #[derive(Node)]
-#[node(category = "Patches", version = 1)]
+#[node(category = "Patches", version = 2)]
 #[output(patches: PatchTiling, "The tiling.")]
 pub struct GrowPatches {
     /// Surface to cover.

@@ -17,14 +17,33 @@ use crate::{PatchError, PatchTiling, Settings};
 
 /// Patches first grow within this part of the bounds, which leaves the rest to those that cover what is left between them.
 const FIRST_BOUNDS: f64 = 0.75;
-/// Patches that are too small are dissolved, and the others may swell over them. Each round: the part of its splotch that a patch must cover,
-/// the faces that it must have, and how far beyond their splotches the others may swell.
-const ROUNDS: [(f64, usize, f64); 3] = [(0.3, 0, 1.5), (0.1, 4, 2.5), (0.1, 4, 2.5)];
+/// Patches that are too small are dissolved, and the others may swell over them.
+const ROUNDS: [Round; 5] = [
+    Round { part: 0.3, faces: 0, swelling: 1.5, let_off: false },
+    Round { part: 0.1, faces: 4, swelling: 2.5, let_off: false },
+    Round { part: 0.1, faces: 4, swelling: 2.5, let_off: false },
+    Round { part: 0.0, faces: 4, swelling: 2.5, let_off: true },
+    Round { part: 0.0, faces: 4, swelling: 2.5, let_off: true },
+];
+
+/// One time of dissolving and swelling.
+struct Round {
+    /// The part of its splotch that a patch must cover.
+    part: f64,
+    /// The faces that it must have.
+    faces: usize,
+    /// How far beyond their splotches the others may swell.
+    swelling: f64,
+    /// Whether what was dissolved is let off following the field: about a singularity its direction means little, and a seam is seen sooner than
+    /// turned hair.
+    let_off: bool,
+}
 
 /// Covers a mesh with lapped patches that do not overlap: every face lies in exactly one, and every patch is a topological disc.
 ///
 /// With `directions` the tile's t axis follows the field; without, the tiling is isotropic: each patch is turned at random. No face is
-/// flipped, and every face with area keeps the bounds on stretch and (with a field) turning. A mesh without faces gives a tiling without
+/// flipped, and every face with area keeps the bounds on stretch and (with a field) turning; but the few that could keep the latter only in a patch of
+/// three faces or fewer, mostly about the field's singularities, are let off it ([`PatchTiling::let_off`]). A mesh without faces gives a tiling without
 /// patches. The result depends on the arguments alone, to the last bit; it takes about 3 µs a face on one thread.
 ///
 /// # Errors
@@ -53,13 +72,13 @@ pub fn grow(mesh: &Mesh, directions: Option<&DirectionField>, settings: &Setting
     order.shuffle(&mut cover.random);
     cover.fill(&order);
     cover.grower.bounds = bounds;
-    for (part, faces, swelling) in ROUNDS {
-        cover.dissolve(part, faces);
-        cover.swell(swelling);
+    for round in ROUNDS.iter().filter(|round| rotations.is_some() || !round.let_off) {
+        cover.dissolve(round);
+        cover.swell(round.swelling);
         cover.fill(&order);
     }
-    let drafts = cover.finished();
-    Ok(PatchTiling::from_drafts(mesh, settings.tile_side, drafts))
+    let let_off = mesh.topology().faces().map(Face::id).filter(|face| cover.grower.let_off[face.index()]).collect();
+    Ok(PatchTiling::from_drafts(mesh, settings.tile_side, cover.finished(), let_off))
 }
 
 fn check_scale(mesh: &Mesh, tile_side: f64) -> Result<(), PatchError> {
@@ -97,15 +116,16 @@ impl Cover<'_> {
         }
     }
 
-    /// Uncovers the faces of patches that cover less than a part of their splotch or have fewer than so many faces.
-    fn dissolve(&mut self, part: f64, faces: usize) {
+    /// Uncovers the faces of patches that are too small.
+    fn dissolve(&mut self, round: &Round) {
         for index in 0..self.drafts.len() {
             let draft = &self.drafts[index];
             let area: f64 = draft.faces.iter().map(|f| self.shapes[f.index()].area()).sum();
-            if area < part * draft.splotch.area() || draft.faces.len() < faces {
+            if area < round.part * draft.splotch.area() || draft.faces.len() < round.faces {
                 let draft = Draft { faces: Vec::new(), vertices: Vec::new(), places: Vec::new(), splotch: draft.splotch };
                 let dissolved = std::mem::replace(&mut self.drafts[index], draft);
                 self.own(&dissolved, UNCOVERED);
+                dissolved.faces.iter().for_each(|face| self.grower.let_off[face.index()] |= round.let_off);
             }
         }
     }

@@ -38,6 +38,8 @@ pub(crate) struct Grower<'a> {
     pub(crate) shapes: &'a [FaceShape],
     /// The wanted rotation of each face; none where the tiling is isotropic.
     pub(crate) rotations: Option<&'a [DVec2]>,
+    /// Faces that need not follow the field.
+    pub(crate) let_off: Vec<bool>,
     /// See [`Wish::alignment`].
     pub(crate) alignment: f64,
     pub(crate) bounds: Bounds,
@@ -59,6 +61,7 @@ impl<'a> Grower<'a> {
             topology,
             shapes,
             rotations: wish.rotations,
+            let_off: vec![false; faces],
             alignment: wish.alignment,
             bounds,
             owners: vec![UNCOVERED; faces],
@@ -180,7 +183,7 @@ impl<'a> Grower<'a> {
     /// as the field wants it, weighted as in [`solve`].
     fn unfold(&self, face: FaceId, side: usize, [start, end]: [DVec2; 2]) -> DVec2 {
         let shape = &self.shapes[face.index()];
-        let pull = self.rotations.map_or(DVec2::ZERO, |r| self.alignment * r[face.index()]);
+        let pull = self.alignment * self.wanted(face).unwrap_or(DVec2::ZERO);
         let rotation = (self.unfolded_rotation(face, side) + pull).try_normalize().unwrap_or(DVec2::X);
         let [from, to, opposite] = [side, (side + 1) % 3, (side + 2) % 3].map(|k| shape.corners[k]);
         0.5 * (start + end) + rotation.rotate(opposite - 0.5 * (from + to))
@@ -203,7 +206,12 @@ impl<'a> Grower<'a> {
     }
 
     fn keeps_bounds(&self, face: FaceId, places: [DVec2; 3]) -> bool {
-        self.bounds.hold(&self.shapes[face.index()], places, self.rotations.map(|r| r[face.index()]))
+        self.bounds.hold(&self.shapes[face.index()], places, self.wanted(face))
+    }
+
+    /// The rotation that the face should have; none without a field, or where it is let off following it.
+    fn wanted(&self, face: FaceId) -> Option<DVec2> {
+        self.rotations.filter(|_| !self.let_off[face.index()]).map(|r| r[face.index()])
     }
 
     /// Whether the face lies within the swollen splotch, or else nothing but this patch could take it.
@@ -238,7 +246,7 @@ impl<'a> Grower<'a> {
     fn solve(&mut self) -> Result<(), Unsolved> {
         let faces = &self.disc.faces;
         let shapes: Vec<FaceShape> = faces.iter().map(|f| self.shapes[f.index()]).collect();
-        let rotations: Option<Vec<DVec2>> = self.rotations.map(|all| faces.iter().map(|f| all[f.index()]).collect());
+        let rotations: Option<Vec<DVec2>> = self.rotations.map(|_| faces.iter().map(|&f| self.wanted(f).unwrap_or_default()).collect());
         let wish = Wish { rotations: rotations.as_deref(), alignment: self.alignment };
         solve(&Patchwork { corners: &self.disc.corners, shapes: &shapes }, wish, &mut self.disc.places)
     }

@@ -30,7 +30,8 @@ pub struct Settings {
     /// Greatest stretch, against the wanted scale, of any face with area: both singular values of the map from surface to tile stay within
     /// [1/`max_stretch`, `max_stretch`]. Above 1. Lower: hair of more even density, smaller patches.
     pub max_stretch: f64,
-    /// Greatest angle between field and hair on any face with area, in radians; above 0, at most π/2. Has no meaning without a field.
+    /// Greatest angle between field and hair on any face with area, in radians; above 0, at most π/2. Has no meaning without a field. Faces that would
+    /// otherwise be a patch of three or fewer are let off it.
     pub max_turning: f64,
     /// Chooses where patches start, their outlines, and which part of the tile they show.
     pub seed: u64,

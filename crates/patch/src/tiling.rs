@@ -41,13 +41,14 @@ pub struct PatchTiling {
     coordinates: Vec<DVec2>,
     faces: Vec<[u32; 3]>,
     surface_faces: Vec<FaceId>,
+    let_off: Vec<FaceId>,
     tile_side: f64,
 }
 
 impl PatchTiling {
-    pub(crate) fn from_drafts(mesh: &Mesh, tile_side: f64, drafts: Vec<Draft>) -> Self {
+    pub(crate) fn from_drafts(mesh: &Mesh, tile_side: f64, drafts: Vec<Draft>, let_off: Vec<FaceId>) -> Self {
         let mut slots = vec![0; mesh.topology().vertex_count()];
-        let mut tiling = Self::empty(mesh, tile_side);
+        let mut tiling = Self { let_off, ..Self::empty(mesh, tile_side) };
         for draft in drafts {
             tiling.push(mesh, &draft.faces, &draft.vertices, draft.places, &mut slots);
         }
@@ -100,6 +101,7 @@ impl PatchTiling {
             coordinates: Vec::new(),
             faces: Vec::with_capacity(faces),
             surface_faces: Vec::with_capacity(faces),
+            let_off: Vec::new(),
             tile_side,
         }
     }
@@ -150,6 +152,12 @@ impl PatchTiling {
         &self.surface_faces
     }
 
+    /// Faces that were let off [`Settings::max_turning`](crate::Settings::max_turning), ascending: following the field they would have been patches of
+    /// three faces or fewer. They still keep the bound on stretch.
+    pub fn let_off(&self) -> &[FaceId] {
+        &self.let_off
+    }
+
     /// The side of the tile on the surface, in model units.
     pub fn tile_side(&self) -> f64 {
         self.tile_side
@@ -163,6 +171,7 @@ impl PatchTiling {
             + size_of_val(&*self.coordinates)
             + size_of_val(&*self.faces)
             + size_of_val(&*self.surface_faces)
+            + size_of_val(&*self.let_off)
     }
 }
 

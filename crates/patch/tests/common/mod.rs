@@ -24,8 +24,12 @@ pub(crate) fn check(mesh: &Mesh, directions: Option<&DirectionField>, settings: 
     assert!(quality.all_discs);
     assert_eq!(quality.faces_flipped, 0);
     assert!(quality.stretch_max <= settings.max_stretch * (1.0 + 1e-9), "{quality:?}");
-    if let Some(degrees) = quality.misalignment_deg_max {
-        assert!(degrees <= settings.max_turning.to_degrees() + 1e-6, "{quality:?}");
+    if let Some(field) = directions {
+        let angles = tiling.misalignment_deg(mesh, field);
+        let turned = angles.iter().zip(tiling.surface_faces()).filter(|(degrees, _)| **degrees > settings.max_turning.to_degrees() + 1e-6);
+        for (degrees, face) in turned {
+            assert!(tiling.let_off().binary_search(face).is_ok(), "{face:?} is turned by {degrees}°");
+        }
     }
     quality
 }
