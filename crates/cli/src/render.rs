@@ -5,7 +5,7 @@ use std::path::PathBuf;
 use std::sync::Arc;
 
 use clap::Args;
-use pelage_graph::{Evaluation, Graph, Registry, Request};
+use pelage_graph::{CheckedGraph, Evaluation, Graph, NodeId, Registry, Request};
 use pelage_nodes::{FrameReport, Picture, Stats};
 use serde_json::json;
 
@@ -74,6 +74,9 @@ impl Render {
         let mut request = Request::output(&output).with_observer(progress.clone());
         if self.stats.is_some() {
             request = request.and_output(&frame).with_all_values();
+            for repairs in repairs_behind(&checked, &output) {
+                request = request.and_output(&repairs);
+            }
         }
         let evaluation = evaluator.run(&checked, &request)?;
         progress.finish(&evaluation);
@@ -136,6 +139,13 @@ fn makes_pictures(registry: &Registry, graph: &Graph, output: &str) -> bool {
     let kind = graph.nodes.iter().find(|(id, _)| id.as_str() == node_of(output)).map(|(_, node)| node.kind.as_str());
     let specification = kind.and_then(|kind| registry.specification(kind));
     specification.is_some_and(|specification| specification.outputs.iter().any(|port| port.name == "frame"))
+}
+
+/// The outputs among those an output draws on that say what was mended in a model.
+fn repairs_behind(graph: &CheckedGraph, output: &str) -> Vec<String> {
+    let nodes: Vec<&str> = graph.behind(output).map(NodeId::as_str).collect();
+    let reports = graph.outputs().filter(|(port, kind)| *kind == "RepairReport" && nodes.contains(&node_of(port)));
+    reports.map(|(port, _)| port).collect()
 }
 
 /// The node of a `NODE.PORT`.

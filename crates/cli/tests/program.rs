@@ -88,6 +88,7 @@ fn render_writes_the_picture_and_the_figures_that_were_promised() {
     ] {
         assert!(stats.pointer(key).is_some_and(|value| !value.is_null()), "{key} is missing in {stats:#}");
     }
+    assert_eq!(stats.pointer("/model/repairs"), None, "no file was read");
     assert_eq!(stats.pointer("/patches/misalignment_deg_mean"), None, "a key that does not apply is absent");
     assert_eq!(stats.pointer("/model/faces"), Some(&Value::from(320)));
     assert_eq!(stats.pointer("/patches/faces_covered"), Some(&Value::from(320)));
@@ -223,6 +224,65 @@ fn inspect_counts() {
     let (code, _, error) = run(&["inspect", "Cargo.toml"]);
     assert_eq!(code, 1);
     assert!(error.contains("Cargo.toml"), "{error}");
+}
+
+/// A ball with a face given twice, one turned, and its first vertex given twice.
+fn broken_ball() -> String {
+    let ball = pelage_mesh::sphere(1.0, 4).unwrap();
+    let mut vertices: Vec<String> = ball.positions().iter().map(|p| format!("v {} {} {}\n", p.x, p.y, p.z)).collect();
+    vertices.push(vertices[0].clone());
+    let copy = vertices.len();
+    let name = |v: u32| if v == 0 { copy } else { v as usize + 1 };
+    let mut faces: Vec<[usize; 3]> = ball.topology().triangles().map(|corners| corners.map(|v| v as usize + 1)).collect();
+    faces[0] = ball.topology().triangles().next().unwrap().map(name);
+    faces.push(faces[7]);
+    faces[9].swap(0, 1);
+    let faces = faces.iter().map(|[a, b, c]| format!("f {a} {b} {c}\n"));
+    vertices.into_iter().chain(faces).chain(["bevel off please\n".to_owned()]).collect()
+}
+
+#[test]
+fn inspect_says_what_was_mended_and_what_it_is_worth() {
+    let (folder, ..) = folder();
+    let model = folder.path().join("ball.obj");
+    std::fs::write(&model, broken_ball()).unwrap();
+    let model = model.to_str().unwrap();
+    let (code, out, error) = run(&["inspect", model, "--json"]);
+    assert_eq!(code, 0, "{error}");
+    let found: Value = serde_json::from_str(&out).unwrap();
+    for (key, count) in
+        [("/faces", 320), ("/vertices", 162), ("/boundary_loops", 0), ("/quality/valence_min", 5), ("/quality/valence_max", 6)]
+    {
+        assert_eq!(found.pointer(key), Some(&Value::from(count)), "{key} of {found:#}");
+    }
+    for (key, count) in [("vertices_welded", 1), ("faces_duplicated", 1), ("faces_turned", 1), ("edges_cut", 0), ("pieces_turned", 0)] {
+        assert_eq!(found["repairs"][key], Value::from(count), "{key}");
+    }
+    assert_eq!(found["notes"].as_array().map(Vec::len), Some(1));
+    assert!(found["quality"]["angle_min_deg"].as_f64().is_some_and(|angle| (50.0..60.0).contains(&angle)));
+    let (_, text, _) = run(&["inspect", model]);
+    for part in ["repairs\n  vertices welded to one at the same place: 1\n", "duplicate faces dropped: 1", "note: 1 statements", "`bevel`"]
+    {
+        assert!(text.contains(part), "{part:?} in {text}");
+    }
+    assert!(run(&["inspect", "graphs/models/bunny.obj"]).1.contains("repairs\n  none\n"));
+}
+
+#[test]
+fn figures_say_what_was_mended_in_the_model_that_is_drawn_and_read_no_other() {
+    let (folder, graph, out) = folder();
+    std::fs::write(folder.path().join("ball.obj"), broken_ball()).unwrap();
+    let from_file =
+        BALL.replace("Sphere(subdivisions: 4)", "ObjFile(path: \"ball.obj\")").replace("Torus()", "ObjFile(path: \"missing.obj\")");
+    std::fs::write(&graph, from_file).unwrap();
+    let stats = folder.path().join("stats.json");
+    let (code, _, error) = run(&["render", &graph, "-o", &out, "--stats", stats.to_str().unwrap()]);
+    assert_eq!(code, 0, "{error}");
+    let stats: Value = serde_json::from_slice(&std::fs::read(stats).unwrap()).unwrap();
+    for (key, count) in [("faces_duplicated", 1), ("faces_turned", 1), ("vertices_welded", 1), ("faces_without_area", 0)] {
+        assert_eq!(stats["model"]["repairs"][key], Value::from(count), "{key}");
+    }
+    assert_eq!(stats.pointer("/nodes/unasked/state"), Some(&Value::from("not needed")));
 }
 
 #[test]

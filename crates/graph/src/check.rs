@@ -39,6 +39,25 @@ impl CheckedGraph {
         Some(Source { node, port })
     }
 
+    /// The nodes that an output may draw on, its own among them, in the order of the document; none if there is no such output.
+    pub fn behind(&self, output: &str) -> impl Iterator<Item = &NodeId> {
+        let mut reached = vec![false; self.nodes.len()];
+        let mut open: Vec<usize> = self.source(output).map(|source| source.node).into_iter().collect();
+        while let Some(node) = open.pop() {
+            if std::mem::replace(&mut reached[node], true) {
+                continue;
+            }
+            for field in &self.nodes[node].fields {
+                match field {
+                    Bound::Link(source) => open.push(source.node),
+                    Bound::Links(sources) => open.extend(sources.iter().map(|source| source.node)),
+                    Bound::Absent | Bound::Literal(_) => {}
+                }
+            }
+        }
+        self.by_id.iter().filter(move |&(_, &node)| reached[node]).map(|(id, _)| id)
+    }
+
     /// All outputs of all nodes, as `node.port` with the plain name of the type.
     pub fn outputs(&self) -> impl Iterator<Item = (String, &str)> {
         self.by_id.iter().flat_map(|(id, &index)| {

@@ -51,4 +51,4 @@ pub use pelage_render::{Picture, RenderError};
 pub use picture::{DepthMode, FrameReport, Gpu, LightingAt, RenderImage};
 pub use registry::{evaluator, registry};
 pub use shading::{HairLightingNode, LightNode};
-pub use stats::Stats;
+pub use stats::{Stats, repair_counts};

@@ -1,21 +1,25 @@
 //! Where surfaces come from.
 
+use std::sync::Arc;
+
 use pelage_graph::{Context, Evaluate, FilePath, Node, NodeError};
-use pelage_mesh::Mesh;
+use pelage_mesh::{Mesh, RepairReport};
 
 /// A model read from a Wavefront OBJ file (L1).
 #[derive(Node)]
-#[node(category = "Models", version = 1)]
-#[output(mesh: Mesh, "The surface.")]
+#[node(category = "Models", version = 2)]
+#[output(mesh: Mesh, "The surface: an oriented manifold of triangles, whatever the file holds.")]
+#[output(repairs: RepairReport, "What it took to make it one, counted.")]
 pub struct ObjFile {
-    /// The file; polygons are cut into triangles.
+    /// The file; polygons are cut into triangles, and what is no surface is mended.
     #[param]
     pub path: FilePath,
 }
 
 impl Evaluate for ObjFile {
     fn evaluate(&self, _: &mut Context<'_>) -> Result<Self::Outputs, NodeError> {
-        Ok(pelage_mesh::read_obj(self.path.as_path())?.mesh.into())
+        let import = pelage_mesh::read_obj(self.path.as_path())?;
+        Ok(ObjFileOutputs { mesh: Some(Arc::new(import.mesh)), repairs: Some(Arc::new(import.repairs)) })
     }
 }
 

@@ -4,7 +4,7 @@ use pelage_coat::{Coat, FinTexture, Light, ShellTexture};
 use pelage_field::{ColourField, DirectionField, ScalarField};
 use pelage_graph::{Evaluator, Registry};
 use pelage_lighting::Shading;
-use pelage_mesh::Mesh;
+use pelage_mesh::{Mesh, RepairReport};
 use pelage_patch::PatchTiling;
 use pelage_strand::StrandTile;
 
@@ -14,6 +14,7 @@ use crate::Framing;
 pub fn registry() -> Registry {
     let registry = Registry::new()
         .value::<Mesh>("Mesh", Mesh::byte_size)
+        .value::<RepairReport>("RepairReport", |_| size_of::<RepairReport>())
         .value::<DirectionField>("DirectionField", |field| size_of_val(field.vectors()))
         .value::<ScalarField>("ScalarField", |field| size_of_val(field.values()))
         .value::<ColourField>("ColourField", |field| size_of_val(field.values()))

@@ -3,7 +3,7 @@
 use pelage_coat::{Coat, FinTexture, ShellTexture};
 use pelage_field::DirectionField;
 use pelage_graph::{Evaluation, State};
-use pelage_mesh::{Mesh, Summary};
+use pelage_mesh::{Mesh, RepairReport, Summary};
 use pelage_patch::PatchTiling;
 use serde_json::{Map, Value, json};
 
@@ -19,7 +19,7 @@ impl Stats {
         stats.insert("nodes".into(), trace(evaluation));
         let found = Found::among(evaluation);
         if let Some(mesh) = &found.mesh {
-            stats.insert("model".into(), model(&Summary::of(mesh)));
+            stats.insert("model".into(), model(&Summary::of(mesh), found.repairs.as_deref()));
         }
         if let (Some(mesh), Some(tiling)) = (&found.mesh, &found.tiling) {
             stats.insert("patches".into(), patches(mesh, tiling, found.directions.as_deref()));
@@ -53,6 +53,7 @@ impl Stats {
 #[derive(Default)]
 struct Found {
     mesh: Option<std::sync::Arc<Mesh>>,
+    repairs: Option<std::sync::Arc<RepairReport>>,
     directions: Option<std::sync::Arc<DirectionField>>,
     tiling: Option<std::sync::Arc<PatchTiling>>,
     shells: Option<std::sync::Arc<ShellTexture>>,
@@ -64,6 +65,7 @@ impl Found {
         let mut found = Self::default();
         for (_, _, value) in evaluation.values() {
             found.mesh = value.downcast::<Mesh>().or(found.mesh);
+            found.repairs = value.downcast::<RepairReport>().or(found.repairs);
             found.directions = value.downcast::<DirectionField>().or(found.directions);
             found.tiling = value.downcast::<PatchTiling>().or(found.tiling);
             if let Some(coat) = value.downcast::<Coat>() {
@@ -87,11 +89,20 @@ fn trace(evaluation: &Evaluation) -> Value {
     Value::Object(nodes.collect())
 }
 
-fn model(summary: &Summary) -> Value {
-    json!({
+fn model(summary: &Summary, repairs: Option<&RepairReport>) -> Value {
+    let mut model = json!({
         "vertices": summary.vertices, "edges": summary.edges, "faces": summary.faces,
         "boundary_loops": summary.boundary_loops, "components": summary.components, "genus": summary.genus,
-    })
+    });
+    if let Some(repairs) = repairs {
+        model["repairs"] = repair_counts(repairs);
+    }
+    model
+}
+
+/// What was mended, by the names of the report; all of them, so that a script need not know which are there.
+pub fn repair_counts(repairs: &RepairReport) -> Value {
+    Value::Object(repairs.counts().map(|(name, _, count)| (name.to_owned(), count.into())).into_iter().collect())
 }
 
 fn patches(mesh: &Mesh, tiling: &PatchTiling, directions: Option<&DirectionField>) -> Value {

@@ -67,7 +67,7 @@ impl fmt::Display for RepairReport {
             return f.write_str("none");
         }
         let made = self.counts().into_iter().filter(|&(_, _, count)| count > 0);
-        let lines: Vec<String> = made.map(|(_, words, count)| format!("{count} {words}")).collect();
+        let lines: Vec<String> = made.map(|(_, words, count)| format!("{words}: {count}")).collect();
         f.write_str(&lines.join("\n"))
     }
 }
