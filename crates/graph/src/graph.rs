@@ -3,12 +3,14 @@
 use std::borrow::Borrow;
 use std::fmt;
 use std::path::{Path, PathBuf};
+use std::sync::Arc;
 
 use indexmap::IndexMap;
 
 use crate::fault::{Fault, Faults};
 use crate::literal::{Literal, Place};
 use crate::parse::parse;
+use crate::rewrite::Source;
 use crate::write::to_ron;
 
 /// Name of a node in its graph, chosen by people: letters, digits, `_` and `-`.
@@ -92,6 +94,8 @@ pub struct Graph {
     pub layout: IndexMap<NodeId, (f64, f64)>,
     pub(crate) output_place: Option<Place>,
     pub(crate) directory: PathBuf,
+    /// The text that was read, shared by all copies; saving changes what differs.
+    pub(crate) source: Option<Arc<Source>>,
     /// What was wrong with the form of the file, for [`check`](Self::check) to report beside the rest.
     pub(crate) form: Vec<Fault>,
 }
@@ -156,8 +160,11 @@ impl Graph {
         &self.directory
     }
 
-    /// The graph as a file: one node a line, fields and nodes in their order, what is left out left out. Deterministic, and reading it
-    /// gives an equal graph.
+    /// The graph as a file; reading it gives an equal graph.
+    ///
+    /// What was read keeps its bytes, comments, layout and spelling, but for what was changed since: a graph that was only read is
+    /// saved as the bytes that were read, and so is one whose changes were taken back. What is new is written in the style of what stands
+    /// beside it; a graph that was never read has one node a line. A node or field that is left out takes the comment along that ends its line.
     pub fn to_ron(&self) -> String {
         to_ron(self)
     }

@@ -130,7 +130,7 @@ pub(crate) fn quoted(text: &str) -> String {
 }
 
 /// A name as RON takes it: plain, or raw where it is a word that RON keeps for itself.
-fn identifier(name: &str) -> String {
+pub(crate) fn identifier(name: &str) -> String {
     let plain =
         name.starts_with(|c: char| c == '_' || c.is_ascii_alphabetic()) && name.chars().all(|c| c == '_' || c.is_ascii_alphanumeric());
     let kept = ["true", "false", "Some", "None", "inf", "NaN", "inff32", "inff64", "NaNf32", "NaNf64"];

@@ -1,5 +1,7 @@
 //! The untyped tree of a file to a [`Graph`], with what is wrong with its form.
 
+use std::sync::Arc;
+
 use indexmap::IndexMap;
 
 use crate::conform::unknown_field;
@@ -7,12 +9,15 @@ use crate::fault::{Fault, FaultKind, Faults};
 use crate::graph::{Graph, GraphNode, NodeId};
 use crate::literal::{Literal, Name, Place, Shape};
 use crate::read::read;
+use crate::rewrite::Source;
 
 const FIELDS: [&str; 6] = ["version", "title", "about", "nodes", "output", "layout"];
 
+/// The graph that a text says, with what is wrong with its form.
 pub(crate) fn parse(text: &str) -> Result<Graph, Faults> {
     let only = |place, kind| Faults::new(vec![Fault { place, node: None, field: None, kind }]);
     let tree = read(text).map_err(|error| only(Some(error.place), FaultKind::Syntax { message: error.message }))?;
+    let source = Arc::new(Source { text: text.to_owned(), tree: tree.clone() });
     let place = tree.place;
     let fields = match tree.shape {
         Shape::Record(name, fields) if name.as_ref().is_none_or(|name| name == "Graph") => fields,
@@ -22,7 +27,7 @@ pub(crate) fn parse(text: &str) -> Result<Graph, Faults> {
         }
     };
     version(&fields, place).map_err(|(place, kind)| only(place, *kind))?;
-    let mut reader = Reader { graph: Graph::default(), layout_places: Vec::new() };
+    let mut reader = Reader { graph: Graph { source: Some(source), ..Graph::default() }, layout_places: Vec::new() };
     reader.frame(fields, place);
     Ok(reader.graph)
 }
@@ -178,7 +183,8 @@ impl Reader {
     }
 }
 
-fn position(value: &Literal) -> Option<(f64, f64)> {
+/// A position of the layout.
+pub(crate) fn position(value: &Literal) -> Option<(f64, f64)> {
     let Shape::Tuple(items) = &value.shape else { return None };
     let number = |item: &Literal| match item.shape {
         Shape::Integer(value) => Some(value as f64),

@@ -94,8 +94,7 @@ impl Graph {
         let literal = match within {
             None => read_value(param, value).map_err(|kind| (Some(field.to_owned()), kind))?,
             Some(inner) => {
-                let mut misfits = Vec::new();
-                let whole = current.filter(|current| !is_link(&param.ty, current)).map(|current| conform(param, current, &mut misfits));
+                let whole = current.filter(|current| !is_link(&param.ty, current)).cloned();
                 replaced(param, whole, inner, value).map_err(|kind| (Some(format!("{field}.{inner}")), kind))?
             }
         };
@@ -157,7 +156,7 @@ fn read_value(param: &ParamSpec, value: &str) -> Result<Literal, Box<FaultKind>>
     })
 }
 
-/// A parameter's value with one field within it replaced; `inner` is `radius`, or `outer.radius`.
+/// A parameter's value with one field within it replaced, the rest as it is written; `inner` is `radius`, or `outer.radius`.
 fn replaced(param: &ParamSpec, whole: Option<Literal>, inner: &str, value: &str) -> Result<Literal, Box<FaultKind>> {
     let (first, rest) = inner.split_once('.').map_or((inner, None), |(first, rest)| (first, Some(rest)));
     let no_field = |owner: &str, known: &[&str]| Box::new(unknown_field(owner, first, known.iter().copied()));
@@ -166,6 +165,12 @@ fn replaced(param: &ParamSpec, whole: Option<Literal>, inner: &str, value: &str)
         Shape::Present(inner) => &mut **inner,
         _ => &mut whole,
     };
+    match &target.shape {
+        Shape::Word(name) => target.shape = Shape::Record(Some(name.clone()), Vec::new()),
+        Shape::Call(name, items) if items.is_empty() => target.shape = Shape::Record(Some(name.clone()), Vec::new()),
+        Shape::Tuple(items) if items.is_empty() => target.shape = Shape::Record(None, Vec::new()),
+        _ => {}
+    }
     let Shape::Record(name, fields) = &mut target.shape else { return Err(no_field(&param.name, &[])) };
     let record = match strip_optional(&param.ty) {
         ParamType::Choice(choice) => choice.variants.iter().find(|variant| Some(&variant.name) == name.as_ref()),
@@ -178,7 +183,7 @@ fn replaced(param: &ParamSpec, whole: Option<Literal>, inner: &str, value: &str)
     let position = fields.iter().position(|(name, _)| name.text == first);
     let new = match rest {
         None => read_value(spec, value)?,
-        Some(rest) => replaced(spec, position.map(|at| fields[at].1.clone()), rest, value)?,
+        Some(rest) => replaced(spec, position.map(|at| fields[at].1.clone()).or_else(|| spec.default.clone()), rest, value)?,
     };
     match position {
         Some(at) => fields[at].1 = new,

@@ -56,7 +56,7 @@ fn a_setting_is_ron_or_a_bare_word() {
         ("x.gain", "\"two.value\"", "\"two.value\""),
         ("styled.style", "Straight", "Straight"),
         ("styled.style", "Curly(turns: 3)", "Curly(turns: 3)"),
-        ("styled.style.radius", "0.3", "Curly(radius: 0.3, turns: 3.0)"),
+        ("styled.style.radius", "0.3", "Curly(turns: 3, radius: 0.3)"),
         ("styled.toward", "(1, 0, 0)", "(1, 0, 0)"),
         ("styled.name", "silk", "\"silk\""),
         ("styled.name", "\"raw silk\"", "\"raw silk\""),
