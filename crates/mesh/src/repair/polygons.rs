@@ -91,8 +91,9 @@ impl Cutter<'_> {
         let normal = crate::unit(normal);
         let has_inside = normal != DVec3::ZERO;
         match ring {
-            [_, _, _, _] if has_inside => self.cut_quad([DVec3::ZERO, at(1), at(2), at(3)], normal),
-            _ if has_inside && ring.len() <= MOST_CORNERS && self.clip_ears(ring, normal) => return true,
+            [_, _, _, _] if has_inside => return self.cut_quad([DVec3::ZERO, at(1), at(2), at(3)], normal),
+            _ if has_inside && is_convex(ring.len(), at, normal) => self.halve(ring.len()),
+            _ if has_inside && ring.len() <= MOST_CORNERS && self.clip_ears(ring, normal) => {}
             _ => {
                 let last = ring.len() as u32 - 1;
                 self.cut.clear();
@@ -103,13 +104,28 @@ impl Cutter<'_> {
         true
     }
 
-    /// Along the diagonal from the first corner, unless that leaves the quad or makes a triangle without area.
-    fn cut_quad(&mut self, at: [DVec3; 4], normal: DVec3) {
+    /// Halves a convex polygon, and the halves again: no corner gets more than twice log₂ n edges, where a fan would give one of them all.
+    fn halve(&mut self, corners: usize) {
+        let mut open = vec![(0, corners as u32 - 1)];
+        while let Some((first, last)) = open.pop() {
+            if last - first < 2 {
+                continue;
+            }
+            let middle = first + (last - first) / 2;
+            self.cut.push([first, middle, last]);
+            open.extend([(middle, last), (first, middle)]);
+        }
+    }
+
+    /// Cuts along the diagonal from the first corner, unless that leaves the quad or makes a triangle without area; says
+    /// whether one of the diagonals lies inside.
+    fn cut_quad(&mut self, at: [DVec3; 4], normal: DVec3) -> bool {
         let area = |a: usize, b: usize, c: usize| (at[b] - at[a]).cross(at[c] - at[a]).dot(normal);
         let (first, second) = (area(0, 1, 2).min(area(0, 2, 3)), area(0, 1, 3).min(area(1, 2, 3)));
         let whole = area(0, 1, 2) + area(0, 2, 3);
         let stays = first > LEAST_SHARE * whole || first >= second;
         self.cut.extend(if stays { [[0, 1, 2], [0, 2, 3]] } else { [[0, 1, 3], [1, 2, 3]] });
+        first.max(second) >= -LEAST_SHARE * whole
     }
 
     /// Clips ears of the polygon's shadow along its normal, then flips diagonals until they are Delaunay's; says whether all corners are used.
@@ -130,4 +146,12 @@ impl Cutter<'_> {
         }));
         self.cut.len() == ring.len() - 2
     }
+}
+
+/// Whether a polygon turns left at every corner, and goes around once.
+fn is_convex(corners: usize, at: impl Fn(usize) -> DVec3, normal: DVec3) -> bool {
+    let turns_left = |a: DVec3, b: DVec3, c: DVec3| crate::unit(b - a).cross(crate::unit(c - b)).dot(normal) > LEAST_SHARE;
+    let at_every_corner = (0..corners).all(|k| turns_left(at(k), at((k + 1) % corners), at((k + 2) % corners)));
+    // A star of five points turns left at every corner too, but not as seen from one of them.
+    at_every_corner && (1..corners - 1).all(|k| at(k).cross(at(k + 1)).dot(normal) > 0.0)
 }
