@@ -3,7 +3,8 @@
 
 use glam::{DVec2, DVec3};
 use pelage_mesh::{
-    Mesh, RepairError, RepairReport, RepairSettings, Repaired, Soup, Summary, Vertex, parse_obj, plane, repair, rounded_die, sphere, torus,
+    Face, Mesh, RepairError, RepairReport, RepairSettings, Repaired, Soup, Summary, Vertex, parse_obj, plane, repair, rounded_die, sphere,
+    torus,
 };
 use proptest::prelude::*;
 
