@@ -35,6 +35,7 @@
 mod geodesic;
 mod geometry;
 mod handles;
+mod index;
 mod obj;
 mod point;
 mod primitives;
@@ -48,6 +49,7 @@ mod views;
 pub use geodesic::{Distances, GeodesicError, Geodesics, Source};
 pub use geometry::{Mesh, MeshError};
 pub use handles::{FaceId, HalfEdgeId, VertexId};
+pub use index::{Hit, IndexError, Nearest, Ray, RayError, Side, SpatialIndex};
 pub use obj::{Import, Note, ObjError, ObjFault, parse_obj, read_obj};
 pub use point::SurfacePoint;
 pub use primitives::{MOST_PRIMITIVE_FACES, PrimitiveError, plane, rounded_die, sphere, torus};
