@@ -86,7 +86,7 @@ impl<'a, S: Surface> Vertex<'a, S> {
 
     /// The edge between it and another vertex.
     pub fn edge_to(self, other: VertexId) -> Option<Edge<'a, S>> {
-        self.edges().find(|edge| edge.vertices().iter().any(|end| end.id == other))
+        self.neighbours().zip(self.edges()).find(|(neighbour, _)| neighbour.id == other).map(|(_, edge)| edge)
     }
 
     /// Whether a face uses it.
