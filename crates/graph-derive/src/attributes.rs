@@ -15,12 +15,13 @@ pub(crate) fn single<'a>(attributes: &'a [Attribute], name: &str) -> syn::Result
     }
 }
 
-/// `#[node(category = "…", version = 1, name = "…", context("frame"))]`
+/// `#[node(category = "…", version = 1, name = "…", was("…"), context("frame"))]`
 #[derive(Default)]
 pub(crate) struct NodeAttribute {
     pub(crate) category: Option<LitStr>,
     pub(crate) version: Option<LitInt>,
     pub(crate) name: Option<LitStr>,
+    pub(crate) was: Vec<LitStr>,
     pub(crate) context: Vec<LitStr>,
 }
 
@@ -33,13 +34,9 @@ impl Parse for NodeAttribute {
                 "category" => attribute.category = Some(value(input)?),
                 "version" => attribute.version = Some(value(input)?),
                 "name" => attribute.name = Some(value(input)?),
-                "context" if input.peek(Token![=]) => attribute.context.push(value(input)?),
-                "context" => {
-                    let names;
-                    parenthesized!(names in input);
-                    attribute.context.extend(Punctuated::<LitStr, Token![,]>::parse_terminated(&names)?);
-                }
-                _ => return Err(syn::Error::new(key.span(), "expected category, version, name or context")),
+                "was" => attribute.was.extend(names(input)?),
+                "context" => attribute.context.extend(names(input)?),
+                _ => return Err(syn::Error::new(key.span(), "expected category, version, name, was or context")),
             }
             comma(input)?;
         }
@@ -75,13 +72,42 @@ impl Parse for OutputAttribute {
     }
 }
 
-/// `#[param(default = …, range = …, unit = "…", effect = "…")]`
+/// `#[input(was("…"))]`
+#[derive(Default)]
+pub(crate) struct InputAttribute {
+    pub(crate) was: Vec<LitStr>,
+}
+
+impl Parse for InputAttribute {
+    fn parse(input: ParseStream<'_>) -> syn::Result<Self> {
+        let mut attribute = Self::default();
+        while !input.is_empty() {
+            let key: Ident = input.parse()?;
+            match key.to_string().as_str() {
+                "was" => attribute.was.extend(names(input)?),
+                _ => return Err(syn::Error::new(key.span(), "expected was")),
+            }
+            comma(input)?;
+        }
+        Ok(attribute)
+    }
+}
+
+impl InputAttribute {
+    /// `#[input]` alone says nothing.
+    pub(crate) fn read(attribute: &Attribute) -> syn::Result<Self> {
+        if matches!(attribute.meta, syn::Meta::Path(_)) { Ok(Self::default()) } else { attribute.parse_args() }
+    }
+}
+
+/// `#[param(default = …, range = …, unit = "…", effect = "…", was("…"))]`
 #[derive(Default)]
 pub(crate) struct ParamAttribute {
     pub(crate) default: Option<Expr>,
     pub(crate) range: Option<Expr>,
     pub(crate) unit: Option<LitStr>,
     pub(crate) effect: Option<LitStr>,
+    pub(crate) was: Vec<LitStr>,
 }
 
 impl Parse for ParamAttribute {
@@ -94,7 +120,8 @@ impl Parse for ParamAttribute {
                 "range" => attribute.range = Some(value(input)?),
                 "unit" => attribute.unit = Some(value(input)?),
                 "effect" => attribute.effect = Some(value(input)?),
-                _ => return Err(syn::Error::new(key.span(), "expected default, range, unit or effect")),
+                "was" => attribute.was.extend(names(input)?),
+                _ => return Err(syn::Error::new(key.span(), "expected default, range, unit, effect or was")),
             }
             comma(input)?;
         }
@@ -112,6 +139,16 @@ impl ParamAttribute {
 fn value<T: Parse>(input: ParseStream<'_>) -> syn::Result<T> {
     input.parse::<Token![=]>()?;
     input.parse()
+}
+
+/// `= "…"`, or `("…", "…")`.
+fn names(input: ParseStream<'_>) -> syn::Result<Vec<LitStr>> {
+    if input.peek(Token![=]) {
+        return value(input).map(|name| vec![name]);
+    }
+    let names;
+    parenthesized!(names in input);
+    Ok(Punctuated::<LitStr, Token![,]>::parse_terminated(&names)?.into_iter().collect())
 }
 
 /// A comma, or the end.

@@ -12,6 +12,7 @@
 //! | `#[node(category = "…")]` | the group it is listed under; required |
 //! | `#[node(version = 2)]` | version of the implementation, 1 if left out |
 //! | `#[node(name = "…")]` | its kind in files, the struct's name if left out |
+//! | `#[node(was("…"))]` | kinds it had in files before; also on `#[input(…)]` and `#[param(…)]`, for fields that were renamed |
 //! | `#[node(context("frame", "adapter"))]` | context values it reads |
 //! | `#[output(port: Type, "What it is.")]` | one for each output, at least one; makes the struct `<Name>Outputs` |
 //! | `#[input]` on a field `Arc<T>`, `Option<Arc<T>>`, `Vec<Arc<T>>` | a value from another node |

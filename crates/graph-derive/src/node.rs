@@ -6,7 +6,7 @@ use syn::ext::IdentExt;
 use syn::spanned::Spanned;
 use syn::{Data, DeriveInput, Field, Fields};
 
-use crate::attributes::{NodeAttribute, single};
+use crate::attributes::{InputAttribute, NodeAttribute, single};
 use crate::docs::documentation;
 use crate::outputs::{OutputTokens, outputs};
 use crate::param::param_field;
@@ -34,15 +34,15 @@ pub(crate) fn derive(input: &DeriveInput) -> syn::Result<TokenStream> {
     let category = category.ok_or_else(|| syn::Error::new(ident.span(), "a node needs a category: #[node(category = \"…\")]"))?;
     let version = attribute.version.map_or_else(|| quote!(1), |version| quote!(#version));
     let kind = attribute.name.map_or_else(|| ident.unraw().to_string(), |name| name.value());
-    let context = &attribute.context;
+    let (context, was) = (&attribute.context, &attribute.was);
     let OutputTokens { ident: outputs, definition, specs } = outputs(input)?;
     let (mut inputs, mut params, mut reads, mut assertions) = (Vec::new(), Vec::new(), Vec::new(), TokenStream::new());
     for field in fields {
         let Some(name) = &field.ident else { continue };
         let label = name.unraw().to_string();
         match (single(&field.attrs, "input")?, single(&field.attrs, "param")?) {
-            (Some(_), None) => {
-                let (spec, read) = input_field(field, &label)?;
+            (Some(attribute), None) => {
+                let (spec, read) = input_field(field, &label, &InputAttribute::read(attribute)?)?;
                 inputs.push(spec);
                 reads.push(quote!(#name: #read));
             }
@@ -67,6 +67,7 @@ pub(crate) fn derive(input: &DeriveInput) -> syn::Result<TokenStream> {
                     category: #category.into(),
                     version: #version,
                     context: ::std::vec![#(#context.into()),*],
+                    was: ::std::vec![#(#was.into()),*],
                     inputs: ::std::vec![#(#inputs),*],
                     params: ::std::vec![#(#params),*],
                     outputs: ::std::vec![#(#specs),*],
@@ -81,7 +82,7 @@ pub(crate) fn derive(input: &DeriveInput) -> syn::Result<TokenStream> {
 }
 
 /// The specification of an input and the expression that fetches it.
-fn input_field(field: &Field, label: &str) -> syn::Result<(TokenStream, TokenStream)> {
+fn input_field(field: &Field, label: &str, attribute: &InputAttribute) -> syn::Result<(TokenStream, TokenStream)> {
     let doc = documentation(&field.attrs, field.ident.span(), &format!("the input `{label}`"))?;
     let ty = &field.ty;
     let shared = |wrapper| argument(ty, wrapper).and_then(|inner| argument(inner, "Arc"));
@@ -94,11 +95,13 @@ fn input_field(field: &Field, label: &str) -> syn::Result<(TokenStream, TokenStr
     } else {
         return Err(syn::Error::new(ty.span(), "an input is Arc<T>, Option<Arc<T>> or Vec<Arc<T>>"));
     };
+    let was = &attribute.was;
     let spec = quote!(::pelage_graph::InputSpec {
         name: #label.into(),
         doc: #doc.into(),
         ty: ::pelage_graph::PortType::of::<#inner>(),
         arity: ::pelage_graph::Arity::#arity,
+        was: ::std::vec![#(#was.into()),*],
     });
     Ok((spec, read))
 }

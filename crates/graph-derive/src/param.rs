@@ -47,10 +47,12 @@ pub(crate) fn param_field(field: &Field) -> syn::Result<ParamTokens> {
     let with_range = attribute.range.as_ref().map(limits).transpose()?.map(|range| quote!(spec = spec.with_range(#range);));
     let with_unit = attribute.unit.as_ref().map(|unit| quote!(spec = spec.with_unit(#unit);));
     let with_effect = attribute.effect.as_ref().map(|effect| quote!(spec = spec.with_effect(#effect);));
+    let was = &attribute.was;
     let spec = quote!({
         #[allow(unused_mut, reason = "a parameter may have nothing to add")]
         let mut spec = ::pelage_graph::ParamSpec::new::<#ty>(#name, #doc);
         #with_default #with_range #with_unit #with_effect
+        #(spec = spec.with_former_name(#was);)*
         spec
     });
     Ok(ParamTokens { spec, assertions, default })

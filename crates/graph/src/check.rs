@@ -167,10 +167,18 @@ impl Checker<'_> {
         };
         let specification = &kind.specification;
         for name in node.fields.keys() {
-            if !specification.field_names().any(|known| known == name) {
-                let known: Vec<&str> = specification.field_names().collect();
-                let place = node.names.get(name).copied();
-                self.fault(place, Some(id), None, unknown_field(&node.kind, name, known.into_iter()));
+            let place = node.names.get(name).copied();
+            let present = specification.input(name).map(|input| &input.name).or_else(|| specification.param(name).map(|param| &param.name));
+            match present {
+                None => {
+                    let known: Vec<&str> = specification.field_names().collect();
+                    self.fault(place, Some(id), None, unknown_field(&node.kind, name, known.into_iter()));
+                }
+                // Under a former name and its present one.
+                Some(present) if present != name && node.fields.contains_key(present) => {
+                    self.fault(place, Some(id), None, FaultKind::DuplicateField { field: present.clone() });
+                }
+                Some(_) => {}
             }
         }
         let inputs = specification.inputs.iter().map(|input| self.input(id, node, input)).collect::<Vec<_>>();
@@ -181,7 +189,7 @@ impl Checker<'_> {
 
     fn input(&mut self, id: &NodeId, node: &GraphNode, input: &InputSpec) -> Bound {
         let wanted = format!("a link \"node.port\" to {}", input.ty.name);
-        let Some(literal) = node.fields.get(&input.name) else {
+        let Some(literal) = node.field(&input.name, &input.was) else {
             if input.arity == Arity::One {
                 self.fault(node.place, Some(id), None, FaultKind::Missing { field: input.name.clone(), expected: wanted });
             }
@@ -201,7 +209,7 @@ impl Checker<'_> {
     }
 
     fn param(&mut self, id: &NodeId, node: &GraphNode, param: &ParamSpec) -> Bound {
-        let Some(literal) = node.fields.get(&param.name).or(param.default.as_ref()) else {
+        let Some(literal) = node.field(&param.name, &param.was).or(param.default.as_ref()) else {
             let expected = param.ty.to_string();
             self.fault(node.place, Some(id), None, FaultKind::Missing { field: param.name.clone(), expected });
             return Bound::Absent;

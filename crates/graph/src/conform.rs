@@ -126,18 +126,24 @@ impl Check<'_> {
 
     /// All fields of a variant or record, in its order.
     fn fields(&mut self, record: &RecordSpec, given: &[(Name, Literal)], place: Option<Place>) -> Vec<(Name, Literal)> {
+        let find = |name: &Name| record.fields.iter().position(|field| field.name == name.text || field.was.contains(&name.text));
         for (index, (name, _)) in given.iter().enumerate() {
-            if !record.fields.iter().any(|field| field.name == name.text) {
-                self.fault(name.place, unknown_field(&record.name, &name.text, record.fields.iter().map(|field| field.name.as_str())));
-            } else if given[..index].iter().any(|(earlier, _)| earlier == name) {
-                self.fault(name.place, FaultKind::DuplicateField { field: name.text.clone() });
+            match find(name) {
+                None => {
+                    self.fault(name.place, unknown_field(&record.name, &name.text, record.fields.iter().map(|field| field.name.as_str())));
+                }
+                field if given[..index].iter().any(|(earlier, _)| find(earlier) == field) => {
+                    self.fault(name.place, FaultKind::DuplicateField { field: name.text.clone() });
+                }
+                Some(_) => {}
             }
         }
         record
             .fields
             .iter()
             .filter_map(|field| {
-                let written = given.iter().find(|(name, _)| name.text == field.name).map(|(_, value)| value);
+                let written =
+                    given.iter().find(|(name, _)| name.text == field.name || field.was.contains(&name.text)).map(|(_, value)| value);
                 let Some(value) = written.or(field.default.as_ref()) else {
                     self.fault(place, FaultKind::Missing { field: field.name.clone(), expected: field.ty.to_string() });
                     return None;

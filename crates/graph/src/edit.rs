@@ -80,17 +80,21 @@ impl Graph {
         let specification = registry.specification(&entry.kind);
         let no_field = || EditError::NoSuchField { node: node.to_owned(), field: field.to_owned() };
         let specification = specification.ok_or_else(no_field)?;
-        let literal = if let Some(input) = specification.input(field) {
-            match (input.arity, entry.fields.get(field).map(|literal| &literal.shape)) {
-                (Arity::Many, Some(Shape::List(items))) => Shape::List(items.iter().cloned().chain([from.into()]).collect()).into(),
+        if let Some(input) = specification.input(field) {
+            let given = entry.field(&input.name, &input.was);
+            let literal = match (input.arity, given.map(|literal| (&literal.shape, literal.place))) {
+                (Arity::Many, Some((Shape::List(items), place))) => {
+                    Literal { shape: Shape::List(items.iter().cloned().chain([from.into()]).collect()), place }
+                }
                 (Arity::Many, _) => Shape::List(vec![from.into()]).into(),
                 _ => from.into(),
-            }
+            };
+            entry.give(&input.name, &input.was, literal);
         } else {
             let param = specification.param(field).ok_or_else(no_field)?;
-            if param.ty.takes_text() { Literal::link(from) } else { from.into() }
-        };
-        entry.fields.insert(field.to_owned(), literal);
+            let literal = if param.ty.takes_text() { Literal::link(from) } else { from.into() };
+            entry.give(&param.name, &param.was, literal);
+        }
         Ok(())
     }
 

@@ -29,11 +29,11 @@ pub enum FaultKind {
         message: String,
     },
     /// A version this program does not read.
-    #[error("unsupported version {found}; this program reads version {supported}")]
+    #[error("{}", no_version(*.found, *.supported))]
     Version {
         /// The version in the file.
-        found: String,
-        /// The version that can be read.
+        found: i128,
+        /// The newest version that can be read; so can all before it.
         supported: u32,
     },
     /// A part of the file's frame that is missing or of another form.
@@ -177,6 +177,14 @@ fn meant_or(nearest: Option<&str>, known: &[String]) -> String {
         (Some(_), _) => meant(nearest),
         (None, []) => "; it has none".to_owned(),
         (None, known) => format!("; expected one of {}", known.join(", ")),
+    }
+}
+
+fn no_version(found: i128, supported: u32) -> String {
+    if found > i128::from(supported) {
+        format!("the file is of version {found}, this program reads versions up to {supported}; open it with a newer program")
+    } else {
+        format!("there is no version {found}; this program reads versions 0 to {supported}")
     }
 }
 

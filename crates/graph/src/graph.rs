@@ -9,6 +9,7 @@ use indexmap::IndexMap;
 
 use crate::fault::{Fault, Faults};
 use crate::literal::{Literal, Place};
+use crate::migrate::PRESENT;
 use crate::parse::parse;
 use crate::rewrite::Source;
 use crate::write::to_ron;
@@ -74,6 +75,23 @@ impl GraphNode {
     pub fn new(kind: &str) -> Self {
         Self { kind: kind.to_owned(), fields: IndexMap::new(), place: None, names: IndexMap::new() }
     }
+
+    /// What a field was given, under its name or one that it had before.
+    pub(crate) fn field(&self, name: &str, was: &[String]) -> Option<&Literal> {
+        self.fields.get(name).or_else(|| was.iter().find_map(|was| self.fields.get(was)))
+    }
+
+    /// Gives a field a value; where it goes by a former name, under its present one from now on.
+    pub(crate) fn give(&mut self, name: &str, was: &[String], value: Literal) {
+        let former = was.iter().find_map(|was| self.fields.get_index_of(was));
+        match former.filter(|_| !self.fields.contains_key(name)) {
+            Some(index) => {
+                self.fields.shift_remove_index(index);
+                self.fields.shift_insert(index, name.to_owned(), value);
+            }
+            None => drop(self.fields.insert(name.to_owned(), value)),
+        }
+    }
 }
 
 /// A graph as its file has it: nodes by id, what it is about, its main output, and where an editor shows each node.
@@ -126,11 +144,11 @@ pub enum ReadError {
 }
 
 impl Graph {
-    /// The version of the file format that is read and written.
-    pub const VERSION: u32 = 1;
+    /// The version of the file format that is written. Older ones are read too, and saved as this one.
+    pub const VERSION: u32 = PRESENT;
 
     /// Reads a graph from its text. Only what hides the whole document is an error here, that is broken syntax, something that is
-    /// no `Graph(…)`, and an unsupported version; whatever else is wrong is reported by [`check`](Self::check), all of it together.
+    /// no `Graph(…)`, and a version that is none or that of a newer program; whatever else is wrong is reported by [`check`](Self::check), all of it together.
     ///
     /// # Errors
     /// As said, with line and column.

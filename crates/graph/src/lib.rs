@@ -116,6 +116,7 @@ mod graph;
 mod key;
 mod literal;
 mod matching;
+mod migrate;
 mod node;
 mod param;
 mod param_types;

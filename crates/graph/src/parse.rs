@@ -8,6 +8,7 @@ use crate::conform::unknown_field;
 use crate::fault::{Fault, FaultKind, Faults};
 use crate::graph::{Graph, GraphNode, NodeId};
 use crate::literal::{Literal, Name, Place, Shape};
+use crate::migrate::migrate;
 use crate::read::read;
 use crate::rewrite::Source;
 
@@ -16,36 +17,37 @@ const FIELDS: [&str; 6] = ["version", "title", "about", "nodes", "output", "layo
 /// The graph that a text says, with what is wrong with its form.
 pub(crate) fn parse(text: &str) -> Result<Graph, Faults> {
     let only = |place, kind| Faults::new(vec![Fault { place, node: None, field: None, kind }]);
-    let tree = read(text).map_err(|error| only(Some(error.place), FaultKind::Syntax { message: error.message }))?;
+    let mut tree = read(text).map_err(|error| only(Some(error.place), FaultKind::Syntax { message: error.message }))?;
     let source = Arc::new(Source { text: text.to_owned(), tree: tree.clone() });
     let place = tree.place;
-    let fields = match tree.shape {
-        Shape::Record(name, fields) if name.as_ref().is_none_or(|name| name == "Graph") => fields,
-        _ => {
-            let (expected, found) = ("Graph(version: 1, nodes: {…})".to_owned(), tree.describe());
-            return Err(only(place, FaultKind::Form { expected, found }));
-        }
-    };
-    version(&fields, place).map_err(|(place, kind)| only(place, *kind))?;
+    let Shape::Record(name, fields) = &tree.shape else { return Err(only(place, no_graph(&tree))) };
+    if name.as_ref().is_some_and(|name| name != "Graph") {
+        return Err(only(place, no_graph(&tree)));
+    }
+    let version = version(fields, place).map_err(|(place, kind)| only(place, *kind))?;
+    migrate(&mut tree, version);
+    let Shape::Record(_, fields) = tree.shape else { return Err(only(place, no_graph(&tree))) };
     let mut reader = Reader { graph: Graph { source: Some(source), ..Graph::default() }, layout_places: Vec::new() };
     reader.frame(fields, place);
     Ok(reader.graph)
 }
 
-/// The version alone, before anything else is read: what another version means by its fields is not for this one to judge.
-fn version(fields: &[(Name, Literal)], place: Option<Place>) -> Result<(), (Option<Place>, Box<FaultKind>)> {
+fn no_graph(tree: &Literal) -> FaultKind {
+    FaultKind::Form { expected: format!("Graph(version: {}, nodes: {{…}})", Graph::VERSION), found: tree.describe() }
+}
+
+/// The version alone, before anything else is read: what another version means by its fields is for its own step to say.
+fn version(fields: &[(Name, Literal)], place: Option<Place>) -> Result<u32, (Option<Place>, Box<FaultKind>)> {
     let Some((_, version)) = fields.iter().find(|(name, _)| name.text == "version") else {
         let expected = format!("a whole number such as {}", Graph::VERSION);
         return Err((place, Box::new(FaultKind::Missing { field: "version".to_owned(), expected })));
     };
-    match version.shape {
-        Shape::Integer(found) if found == i128::from(Graph::VERSION) => Ok(()),
-        Shape::Integer(found) => Err((version.place, Box::new(FaultKind::Version { found: found.to_string(), supported: Graph::VERSION }))),
-        _ => Err((
-            version.place,
-            Box::new(FaultKind::WrongType { expected: "a version, a whole number".to_owned(), found: version.describe() }),
-        )),
-    }
+    let Shape::Integer(found) = version.shape else {
+        let kind = FaultKind::WrongType { expected: "a version, a whole number".to_owned(), found: version.describe() };
+        return Err((version.place, Box::new(kind)));
+    };
+    let known = u32::try_from(found).ok().filter(|found| *found <= Graph::VERSION);
+    known.ok_or_else(|| (version.place, Box::new(FaultKind::Version { found, supported: Graph::VERSION })))
 }
 
 struct Reader {

@@ -32,6 +32,8 @@ fn run<N: Evaluate>(fields: &Fields<'_>, cx: &mut Context<'_>) -> Result<Ports, 
 pub struct Registry {
     kinds: IndexMap<String, Arc<Kind>>,
     types: HashMap<TypeId, Arc<TypeEntry>>,
+    /// Present names of kinds by former ones.
+    former: HashMap<String, String>,
     /// Kinds and type names that were registered twice, for [`validate`](Self::validate) to report.
     pub(crate) repeated: Vec<String>,
 }
@@ -46,7 +48,7 @@ impl Registry {
     /// No nodes, and the types of value that parameters are made of: `bool`, `i32` and the other numbers, `Text`, `FilePath`,
     /// `Colour`, and `Vector2` and `Vector3` for `[f64; 2]` and `[f64; 3]`.
     pub fn new() -> Self {
-        Self { kinds: IndexMap::new(), types: HashMap::new(), repeated: Vec::new() }
+        Self { kinds: IndexMap::new(), types: HashMap::new(), former: HashMap::new(), repeated: Vec::new() }
             .value::<bool>("bool", size_of_val)
             .value::<i32>("i32", size_of_val)
             .value::<i64>("i64", size_of_val)
@@ -82,6 +84,11 @@ impl Registry {
             self.repeated.push(name);
         } else {
             let kind = self.named(&kind);
+            for was in &kind.specification.was {
+                if self.former.insert(was.clone(), name.clone()).is_some() {
+                    self.repeated.push(was.clone());
+                }
+            }
             self.kinds.insert(name, kind);
         }
         self
@@ -99,9 +106,9 @@ impl Registry {
         Arc::new(Kind { specification, run: kind.run, needs: kind.needs })
     }
 
-    /// The specification of a kind.
+    /// The specification of a kind, under its name or one that it had before.
     pub fn specification(&self, kind: &str) -> Option<&Specification> {
-        self.kinds.get(kind).map(|kind| &kind.specification)
+        self.kind(kind).map(|kind| &kind.specification)
     }
 
     /// All specifications, in the order of registration.
@@ -110,7 +117,7 @@ impl Registry {
     }
 
     pub(crate) fn kind(&self, name: &str) -> Option<&Arc<Kind>> {
-        self.kinds.get(name)
+        self.kinds.get(name).or_else(|| self.former.get(name).and_then(|name| self.kinds.get(name)))
     }
     pub(crate) fn kind_names(&self) -> impl Iterator<Item = &str> {
         self.kinds.keys().map(String::as_str)

@@ -60,7 +60,12 @@ impl Graph {
             SetError::Fault { target: target.to_owned(), value: value.to_owned(), fault }
         })?;
         if let Some(node) = self.nodes.get_mut(id) {
-            node.fields.insert(field.to_owned(), literal);
+            let specification = registry.specification(&node.kind);
+            let input = specification.and_then(|s| s.input(field)).map(|input| (&input.name, &input.was));
+            let param = || specification.and_then(|s| s.param(field)).map(|param| (&param.name, &param.was));
+            if let Some((name, was)) = input.or_else(param) {
+                node.give(name, was, literal);
+            }
         }
         Ok(())
     }
@@ -90,7 +95,7 @@ impl Graph {
             let known: Vec<&str> = specification.field_names().collect();
             return Err((None, Box::new(unknown_field(&node.kind, field, known.into_iter()))));
         };
-        let current = node.fields.get(field).or(param.default.as_ref());
+        let current = node.field(&param.name, &param.was).or(param.default.as_ref());
         let literal = match within {
             None => read_value(param, value).map_err(|kind| (Some(field.to_owned()), kind))?,
             Some(inner) => {

@@ -20,6 +20,9 @@ pub struct Specification {
     pub version: u32,
     /// Names of the context values it reads, such as `frame`.
     pub context: Vec<String>,
+    /// Kinds it had before, which files may still say.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub was: Vec<String>,
     /// Values it takes from other nodes.
     pub inputs: Vec<InputSpec>,
     /// Values written in the file; each may be linked too.
@@ -29,13 +32,13 @@ pub struct Specification {
 }
 
 impl Specification {
-    /// The input called `name`.
+    /// The input called `name`, now or before.
     pub fn input(&self, name: &str) -> Option<&InputSpec> {
-        self.inputs.iter().find(|input| input.name == name)
+        self.inputs.iter().find(|input| input.name == name || input.was.iter().any(|was| was == name))
     }
-    /// The parameter called `name`.
+    /// The parameter called `name`, now or before.
     pub fn param(&self, name: &str) -> Option<&ParamSpec> {
-        self.params.iter().find(|param| param.name == name)
+        self.params.iter().find(|param| param.name == name || param.was.iter().any(|was| was == name))
     }
     /// The output called `name`.
     pub fn output(&self, name: &str) -> Option<&OutputSpec> {
@@ -91,6 +94,9 @@ pub struct InputSpec {
     pub ty: PortType,
     /// How many.
     pub arity: Arity,
+    /// Names it had before, which files may still say.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub was: Vec<String>,
 }
 
 /// A value a node gives.
@@ -124,6 +130,9 @@ pub struct ParamSpec {
     pub unit: Option<String>,
     /// What turning it does to cost and error.
     pub effect: Option<String>,
+    /// Names it had before, which files may still say.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub was: Vec<String>,
     /// Types of output it may be linked to.
     #[serde(skip)]
     pub links: Vec<TypeId>,
@@ -145,6 +154,7 @@ impl ParamSpec {
             range: None,
             unit: None,
             effect: None,
+            was: Vec::new(),
             links: P::link_types(),
         }
     }
@@ -164,6 +174,12 @@ impl ParamSpec {
     #[must_use]
     pub fn with_unit(mut self, unit: &str) -> Self {
         self.unit = Some(unit.to_owned());
+        self
+    }
+    /// With a name that it had before.
+    #[must_use]
+    pub fn with_former_name(mut self, name: &str) -> Self {
+        self.was.push(name.to_owned());
         self
     }
     /// With its effect on cost and error.

@@ -80,7 +80,13 @@ impl Visit<'_> {
         self.expect(!specification.doc.trim().is_empty(), "not documented");
         self.expect(!specification.category.trim().is_empty(), "no category");
         self.expect(!specification.outputs.is_empty(), "no output");
-        let names: Vec<&str> = specification.field_names().collect();
+        let former =
+            specification.inputs.iter().flat_map(|input| &input.was).chain(specification.params.iter().flat_map(|param| &param.was));
+        let names: Vec<&str> = specification.field_names().chain(former.map(String::as_str)).collect();
+        for was in &specification.was {
+            let taken = self.registry.specifications().any(|other| other.kind == *was);
+            self.expect(!taken, &format!("its former name {was} is the name of a kind"));
+        }
         for (index, name) in names.iter().enumerate() {
             self.expect(!names[..index].contains(name), &format!("two fields are called {name:?}"));
         }

@@ -123,13 +123,13 @@ fn specifications_are_json() {
             "kind": "Add", "doc": "Adds numbers.", "category": "Numbers", "version": 1, "context": [],
             "inputs": [
                 {"name": "a", "doc": "One number.", "type": "f64", "arity": "one"},
-                {"name": "b", "doc": "Another number, if any.", "type": "f64", "arity": "optional"},
+                {"name": "b", "doc": "Another number, if any.", "type": "f64", "arity": "optional", "was": ["other"]},
             ],
             "params": [
                 {"name": "gain", "doc": "Scales the sum.", "type": {"number": {"bits": 32}}, "default": "1.0",
                  "range": {"min": 0.0, "max": 10.0, "max_excluded": true}, "unit": "1", "effect": "scales the result"},
                 {"name": "times", "doc": "Adds it so often.", "type": {"integer": {"min": 0, "max": u32::MAX}}, "default": "1",
-                 "range": {"min": 1.0, "max": 100.0, "max_excluded": false}, "unit": "times", "effect": "scales the result"},
+                 "range": {"min": 1.0, "max": 100.0, "max_excluded": false}, "unit": "times", "effect": "scales the result", "was": ["often"]},
             ],
             "outputs": [{"name": "sum", "doc": "The sum.", "type": "f64"}],
         })

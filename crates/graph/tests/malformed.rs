@@ -26,7 +26,17 @@ const FILES: &[(&str, &str)] = &[
     ("[1, 2]", "1:1: expected Graph(version: 1, nodes: {…}), found a list of 2"),
     ("Grpah(version: 1, nodes: {})", "1:1: expected Graph(version: 1, nodes: {…}), found Grpah(…)"),
     ("Graph(nodes: {})", "1:1: missing \"version\": expected a whole number such as 1"),
-    ("Graph(version: 99, nodes: {}, from: 4)", "1:16: unsupported version 99; this program reads version 1"),
+    (
+        "Graph(version: 99, nodes: {}, from: 4)",
+        "1:16: the file is of version 99, this program reads versions up to 1; open it with a newer program",
+    ),
+    ("Graph(version: -1, nodes: {})", "1:16: there is no version -1; this program reads versions 0 to 1"),
+    ("Graph(version: 1.0, nodes: {})", "1:16: expected a version, a whole number, found the number 1.0"),
+    ("Graph(version: 0, nodes: {\"x\": Constant()})", "no fault"),
+    (
+        "Graph(version: 0, nodes: {\"x\": (kid: \"Constant\")})",
+        "1:32: node \"x\": expected a node, Kind(field: value), found a record of 1",
+    ),
     ("Graph(version: \"1\", nodes: {})", "1:16: expected a version, a whole number, found the text \"1\""),
     ("Graph(version: 1)", "1:1: missing \"nodes\": expected a map of nodes by id"),
     ("Graph(version: 1, nodes: [])", "1:26: nodes: expected a map of nodes by id, {\"id\": Kind(…)}, found a list of 0"),
