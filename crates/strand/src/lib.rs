@@ -21,6 +21,7 @@
 mod error;
 mod forces;
 mod grow;
+mod light;
 mod noise;
 mod roots;
 mod seed;

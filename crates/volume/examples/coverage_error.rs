@@ -40,6 +40,7 @@ fn layer_error(hair: &StrandTile, shells: &ShellStack, layer: u32, texels: usize
     let spacing = hair.height() / f64::from(shells.layers - 1);
     let exact = ExactLayer {
         height: spacing * f64::from(layer),
+        core: spacing * settings.vertical_core,
         vertical: spacing * settings.vertical_sigma,
         resolution: shells.resolution(),
         lateral: settings.lateral_sigma,

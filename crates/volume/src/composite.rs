@@ -36,11 +36,7 @@ impl ShellStack {
         let mut open = vec![1.0f64; (mip.width * mip.height) as usize];
         for layer in 1..self.layers {
             let rise = self.height * f64::from(layer) / steps;
-            let shift = slope.map(|s| s * rise * f64::from(mip.width));
-            for (index, open) in open.iter_mut().enumerate() {
-                let (x, y) = (index % mip.width as usize, index / mip.width as usize);
-                *open *= 1.0 - alpha_between(mip, layer, x as f64 + shift[0], y as f64 + shift[1]);
-            }
+            dim(&mut open, mip, layer, slope.map(|s| s * rise * f64::from(mip.width)));
         }
         Some(open.iter().sum::<f64>() / open.len().max(1) as f64)
     }
@@ -51,15 +47,24 @@ fn decode(texel: &[u8]) -> [f32; 4] {
     [srgb_to_linear(texel[0]), srgb_to_linear(texel[1]), srgb_to_linear(texel[2]), f32::from(texel[3]) / 255.0]
 }
 
-/// Alpha between texel centres, wrapped; (x, y) counts from the centre of the first texel.
-fn alpha_between(mip: &Image, layer: u32, x: f64, y: f64) -> f64 {
-    let (fx, fy) = (x - x.floor(), y - y.floor());
-    let at = |dx: f64, dy: f64| {
-        let wrap = |c: f64, side: u32| (c as i64).rem_euclid(i64::from(side)) as u32;
-        let texel = mip.texel(layer, wrap(x.floor() + dx, mip.width), wrap(y.floor() + dy, mip.height));
-        texel.map_or(0.0, |t| f64::from(t[3]) / 255.0)
-    };
-    let top = at(0.0, 0.0) * (1.0 - fx) + at(1.0, 0.0) * fx;
-    let bottom = at(0.0, 1.0) * (1.0 - fx) + at(1.0, 1.0) * fx;
-    top * (1.0 - fy) + bottom * fy
+/// Takes from each texel what a layer, moved by `shift` texels over the torus, covers; read between texel centres.
+fn dim(open: &mut [f64], mip: &Image, layer: u32, shift: [f64; 2]) {
+    let size = (mip.width * mip.height) as usize;
+    let (width, height) = (mip.width as usize, mip.height as usize);
+    let layer: Vec<f64> =
+        mip.texels.chunks_exact(4).skip(layer as usize * size).take(size).map(|texel| f64::from(texel[3]) / 255.0).collect();
+    let [fx, fy] = shift.map(|s| s - s.floor());
+    // A shift may be many tiles.
+    let wrapped = |shift: f64, side: usize| (shift.floor().rem_euclid(side as f64) as usize).min(side - 1);
+    let (right, down) = (wrapped(shift[0], width), wrapped(shift[1], height));
+    for (y, line) in open.chunks_exact_mut(width.max(1)).enumerate() {
+        let row = |y: usize| &layer[(y + down) % height * width..][..width];
+        let (top, bottom) = (row(y), row(y + 1));
+        for (x, open) in line.iter_mut().enumerate() {
+            let (left, right) = ((x + right) % width, (x + right + 1) % width);
+            let above = top[left] * (1.0 - fx) + top[right] * fx;
+            let below = bottom[left] * (1.0 - fx) + bottom[right] * fx;
+            *open *= 1.0 - (above * (1.0 - fy) + below * fy);
+        }
+    }
 }

@@ -181,6 +181,7 @@ impl<'a> SideView<'a> {
                 along: step.map(|c| (c / length) as f32),
                 length: length as f32,
                 radius: radius as f32,
+                taper: 0.0,
                 kind: Kind::Strip { height: 0.0, rise: 0.0, beside: 0.0 },
             });
         }

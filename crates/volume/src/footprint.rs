@@ -5,7 +5,7 @@ use std::f64::consts::TAU;
 use std::ops::Range;
 use std::sync::LazyLock;
 
-use crate::gauss::{Tables, bell, integral};
+use crate::gauss::{bell, centred_integral, even_bell, integral};
 
 /// A straight run of hair, in texels.
 #[derive(Clone, Copy, Debug)]
@@ -14,8 +14,10 @@ pub(crate) struct Piece {
     /// Unit vector along the piece.
     pub(crate) along: [f32; 2],
     pub(crate) length: f32,
-    /// Half the strip's width.
+    /// Half the strip's mean width.
     pub(crate) radius: f32,
+    /// By how much it widens along the piece, in texels a texel.
+    pub(crate) taper: f32,
     pub(crate) kind: Kind,
 }
 
@@ -30,27 +32,41 @@ pub(crate) enum Kind {
     Section { weight: f32, alone: f32 },
 }
 
+/// Texels evaluated at once.
+const LANES: usize = 8;
+type Lanes = [f32; LANES];
+
 /// Coverage of one hair, texel by texel, before it is merged into a layer.
 ///
 /// Texel (i, j) is sampled at its centre with a Gaussian of deviation `sigma`, integrated over the strip in closed form: erf across times
 /// erf along. The window is unwrapped; whoever merges it wraps.
 pub(crate) struct Footprint {
-    tables: Tables,
     sigma: f32,
     origin: [i32; 2],
     size: [usize; 2],
     values: Vec<f32>,
+    scratch: Scratch,
     /// Texel and piece pairs evaluated so far: what the cost is linear in.
     pub(crate) pairs: u64,
 }
 
+/// The texels of a piece, as many as fill whole lanes, in its own frame.
+#[derive(Default)]
+struct Scratch {
+    /// Along the piece, from its beginning.
+    u: Vec<Lanes>,
+    /// Across it.
+    v: Vec<Lanes>,
+    values: Vec<Lanes>,
+}
+
 impl Footprint {
     pub(crate) fn new(sigma: f32) -> Self {
-        Self { tables: Tables::new(), sigma, origin: [0, 0], size: [0, 0], values: Vec::new(), pairs: 0 }
+        Self { sigma, origin: [0, 0], size: [0, 0], values: Vec::new(), scratch: Scratch::default(), pairs: 0 }
     }
 
     /// How far a piece's influence reaches beyond its axis.
-    pub(crate) fn margin(&self, radius: f32) -> f32 {
+    fn margin(&self, radius: f32) -> f32 {
         // Beyond 2.75 σ lies 0.3 % of an edge, which the mass correction puts back.
         radius + 2.75 * self.sigma
     }
@@ -77,7 +93,7 @@ impl Footprint {
     }
 
     fn bounds(&self, piece: &Piece) -> ([f32; 2], [f32; 2]) {
-        let margin = self.margin(piece.radius)
+        let margin = self.margin(piece.radius + 0.5 * (piece.taper * piece.length).abs())
             + match piece.kind {
                 Kind::Strip { beside, .. } => piece.radius * beside.abs(),
                 Kind::Section { .. } => 0.0,
@@ -90,6 +106,9 @@ impl Footprint {
 
     /// Adds a piece to the open window.
     pub(crate) fn add(&mut self, piece: &Piece) {
+        // Thinner hair has the same profile under the filter, and its mass makes it thin: a difference of nearly equal integrals would be all rounding.
+        let piece =
+            &if piece.radius < THINNEST * self.sigma { Piece { radius: THINNEST * self.sigma, taper: 0.0, ..*piece } } else { *piece };
         let (low, high) = self.bounds(piece);
         let range = |axis: usize| {
             let first = ((low[axis] - 0.5).ceil() as i32 - self.origin[axis]).max(0) as usize;
@@ -97,60 +116,28 @@ impl Footprint {
             first..last.min(self.size[axis])
         };
         let (columns, rows) = (range(0), range(1));
-        if columns.is_empty() {
+        if columns.is_empty() || rows.is_empty() {
             return;
         }
         self.pairs += (columns.len() * rows.len()) as u64;
+        self.scratch.place(piece, self.origin, &columns, &rows);
         match piece.kind {
-            Kind::Strip { height, rise, beside } => self.add_strip(piece, columns, rows, &Along::new(height, rise, self.sigma), beside),
-            Kind::Section { weight, alone } => self.add_section(piece, columns, rows, weight, alone),
-        }
-    }
-
-    /// The filter's integral across times that along.
-    fn add_strip(&mut self, piece: &Piece, columns: Range<usize>, rows: Range<usize>, along: &Along, beside: f32) {
-        let inverse = 1.0 / self.sigma;
-        let tables = self.tables;
-        let chord = HalfChord::new(piece.radius, self.sigma);
-        for row in rows {
-            let y = (self.origin[1] + row as i32) as f32 + 0.5 - piece.from[1];
-            let line = &mut self.values[row * self.size[0]..][columns.clone()];
-            for (column, value) in columns.clone().zip(line) {
-                let x = (self.origin[0] + column as i32) as f32 + 0.5 - piece.from[0];
-                let v = y * piece.along[0] - x * piece.along[1];
-                let across = tables.integral((v + piece.radius) * inverse) - tables.integral((v - piece.radius) * inverse);
-                // A step of 16 bits: nothing that a byte could show.
-                if across < 1.5e-5 {
-                    continue;
+            Kind::Strip { height, rise, beside } => {
+                let along = Along::new(height, rise, self.sigma);
+                // Not shifted, no chord; not faded, no bell.
+                match (beside == 0.0, height == 0.0 && rise == 0.0) {
+                    (true, true) => self.scratch.strip::<false, false>(piece, self.sigma, &along, beside),
+                    (true, false) => self.scratch.strip::<false, true>(piece, self.sigma, &along, beside),
+                    (false, true) => self.scratch.strip::<true, false>(piece, self.sigma, &along, beside),
+                    (false, false) => self.scratch.strip::<true, true>(piece, self.sigma, &along, beside),
                 }
-                let shift = if beside == 0.0 { 0.0 } else { beside * chord.at(v) };
-                let u = x * piece.along[0] + y * piece.along[1] - shift;
-                *value += across * along.at(tables, u, piece.length);
             }
+            Kind::Section { weight, alone } => self.scratch.section(piece, self.sigma, weight, alone),
         }
-    }
-
-    /// A disc under the Gaussian. On its own it goes by distance: the edge is taken for straight, the radius for that which keeps the area. Where slanted
-    /// hair runs on beside it, it is a strip as long as the chord.
-    fn add_section(&mut self, piece: &Piece, columns: Range<usize>, rows: Range<usize>, weight: f32, alone: f32) {
-        let inverse = 1.0 / self.sigma;
-        let tables = self.tables;
-        let radius = seen_radius(piece.radius, self.sigma);
-        let chord = HalfChord::new(piece.radius, self.sigma);
-        for row in rows {
-            let y = (self.origin[1] + row as i32) as f32 + 0.5 - piece.from[1];
-            let line = &mut self.values[row * self.size[0]..][columns.clone()];
-            for (column, value) in columns.clone().zip(line) {
-                let x = (self.origin[0] + column as i32) as f32 + 0.5 - piece.from[0];
-                let distance = (x * x + y * y).sqrt();
-                let disc = tables.integral((radius - distance) * inverse) - tables.integral((-radius - distance) * inverse);
-                let v = y * piece.along[0] - x * piece.along[1];
-                let u = x * piece.along[0] + y * piece.along[1];
-                let across = tables.integral((v + piece.radius) * inverse) - tables.integral((v - piece.radius) * inverse);
-                let half = chord.at(v);
-                let strip = across * (tables.integral((u + half) * inverse) - tables.integral((u - half) * inverse));
-                *value += weight * (strip + (disc - strip) * alone);
-            }
+        let lines = self.scratch.values.as_flattened().chunks_exact(columns.len());
+        for (row, line) in rows.zip(lines) {
+            let sums = &mut self.values[row * self.size[0]..][columns.clone()];
+            sums.iter_mut().zip(line).for_each(|(sum, value)| *sum += value);
         }
     }
 
@@ -161,9 +148,99 @@ impl Footprint {
         let Some(scale) = self.scale_to(mass) else { return };
         for (row, line) in self.values.chunks_exact(self.size[0].max(1)).enumerate() {
             for (column, &value) in line.iter().enumerate() {
-                if value > 0.0 {
+                if value > LEAST {
                     merge(self.origin[0] + column as i32, self.origin[1] + row as i32, (value * scale).min(1.0));
                 }
+            }
+        }
+    }
+
+    /// The factor at which the window, cut off at full cover, sums to `mass`; `None` for an empty one.
+    fn scale_to(&self, mass: f32) -> Option<f32> {
+        let mut scale = 1.0f32;
+        // Each round gives what full texels cannot take to the others; it settles at once unless the hair is wider than a texel.
+        for _ in 0..8 {
+            let (mut full, mut rest) = (0.0f32, 0.0f32);
+            for &value in &self.values {
+                let is_full = value * scale >= 1.0;
+                full += if is_full { 1.0 } else { 0.0 };
+                rest += if is_full { 0.0 } else { value };
+            }
+            if !(rest > 0.0 && mass > full) {
+                break;
+            }
+            let next = (mass - full) / rest;
+            if (next - scale).abs() < 1e-4 * scale {
+                return Some(next);
+            }
+            scale = next;
+        }
+        (mass > 0.0 && !self.values.is_empty()).then_some(scale)
+    }
+}
+
+/// Hair is evaluated at this radius at least, in deviations of the filter.
+const THINNEST: f32 = 0.25;
+/// Less than this is nothing: what the polynomials leave far outside a hair, and a hundredth of a byte's step.
+const LEAST: f32 = 4e-5;
+
+impl Scratch {
+    /// Fills in where the texels of a rectangle lie, row by row.
+    fn place(&mut self, piece: &Piece, origin: [i32; 2], columns: &Range<usize>, rows: &Range<usize>) {
+        let lanes = (columns.len() * rows.len()).div_ceil(LANES);
+        for values in [&mut self.u, &mut self.v, &mut self.values] {
+            values.resize(lanes, [0.0; LANES]);
+        }
+        let (us, vs) = (self.u.as_flattened_mut(), self.v.as_flattened_mut());
+        let first = (origin[0] + columns.start as i32) as f32 + 0.5 - piece.from[0];
+        let mut number = 0;
+        for row in rows.clone() {
+            let y = (origin[1] + row as i32) as f32 + 0.5 - piece.from[1];
+            let (u, v) = (y * piece.along[1], y * piece.along[0]);
+            for column in 0..columns.len() {
+                let x = first + column as f32;
+                us[number] = x * piece.along[0] + u;
+                vs[number] = v - x * piece.along[1];
+                number += 1;
+            }
+        }
+    }
+
+    /// The filter's integral across times that along.
+    fn strip<const MOVED: bool, const FADED: bool>(&mut self, piece: &Piece, sigma: f32, along: &Along, beside: f32) {
+        let inverse = 1.0 / sigma;
+        let chord = HalfChord::new(piece.radius, sigma);
+        let length = piece.length;
+        let growth = piece.taper * length;
+        let (first, taper) = (piece.radius - 0.5 * growth, piece.taper);
+        let (thin, thick) = (piece.radius - 0.5 * growth.abs(), piece.radius + 0.5 * growth.abs());
+        for ((us, vs), values) in self.u.iter().zip(&self.v).zip(&mut self.values) {
+            for lane in 0..LANES {
+                let v = vs[lane];
+                let u = if MOVED { us[lane] - beside * chord.at(v) } else { us[lane] };
+                let radius = (first + taper * u).clamp(thin, thick);
+                let across = centred_integral((v + radius) * inverse) - centred_integral((v - radius) * inverse);
+                let value = across * along.between::<FADED>(u, length);
+                values[lane] = if FADED { value * along.weight(u) } else { value };
+            }
+        }
+    }
+
+    /// A disc under the Gaussian. On its own it goes by distance: the edge is taken for straight, the radius for that which keeps the area. Where slanted
+    /// hair runs on beside it, it is a strip as long as the chord.
+    fn section(&mut self, piece: &Piece, sigma: f32, weight: f32, alone: f32) {
+        let inverse = 1.0 / sigma;
+        let radius = seen_radius(piece.radius, sigma);
+        let chord = HalfChord::new(piece.radius, sigma);
+        for ((us, vs), values) in self.u.iter().zip(&self.v).zip(&mut self.values) {
+            for lane in 0..LANES {
+                let (u, v) = (us[lane], vs[lane]);
+                let distance = (u * u + v * v).sqrt();
+                let disc = centred_integral((radius - distance) * inverse) - centred_integral((-radius - distance) * inverse);
+                let across = centred_integral((v + piece.radius) * inverse) - centred_integral((v - piece.radius) * inverse);
+                let half = chord.at(v);
+                let strip = across * (centred_integral((u + half) * inverse) - centred_integral((u - half) * inverse));
+                values[lane] = weight * (strip + (disc - strip) * alone);
             }
         }
     }
@@ -191,43 +268,27 @@ impl Along {
         Self { height, rise, narrowing, sharpness: 1.0 / (narrowing * sigma), near, offset: near * sigma * sigma * rise * height }
     }
 
-    #[inline]
-    fn at(&self, tables: Tables, u: f32, length: f32) -> f32 {
-        let middle = self.near * u - self.offset;
-        let between = tables.integral((length - middle) * self.sharpness) - tables.integral(-middle * self.sharpness);
-        between * self.narrowing * tables.bell((self.height + self.rise * u) * self.narrowing)
+    /// The part of the filter that lies along the hair.
+    #[inline(always)]
+    fn between<const FADED: bool>(&self, u: f32, length: f32) -> f32 {
+        let middle = if FADED { self.near * u - self.offset } else { u };
+        centred_integral((length - middle) * self.sharpness) - centred_integral(-middle * self.sharpness)
     }
-}
 
-impl Footprint {
-    /// The factor at which the window, cut off at full cover, sums to `mass`; `None` for an empty one.
-    fn scale_to(&self, mass: f32) -> Option<f32> {
-        let mut scale = 1.0f32;
-        // Each round gives what full texels cannot take to the others; it settles at once unless the hair is wider than a texel.
-        for _ in 0..4 {
-            let (mut full, mut rest) = (0.0f64, 0.0f64);
-            for &value in &self.values {
-                if value * scale >= 1.0 { full += 1.0 } else { rest += f64::from(value) }
-            }
-            if !(rest > 0.0 && f64::from(mass) > full) {
-                break;
-            }
-            let next = ((f64::from(mass) - full) / rest) as f32;
-            if (next - scale).abs() < 1e-4 * scale {
-                return Some(next);
-            }
-            scale = next;
-        }
-        (mass > 0.0 && !self.values.is_empty()).then_some(scale)
+    /// The mean weight of that part.
+    #[inline(always)]
+    fn weight(&self, u: f32) -> f32 {
+        self.narrowing * even_bell((self.height + self.rise * u) * self.narrowing)
     }
 }
 
 /// Half the chord of a round section some way off its middle; its mean, πr/4, where the filter is too wide to see the circle.
 #[derive(Clone, Copy)]
 struct HalfChord {
-    radius: f32,
+    squared: f32,
     mean: f32,
     seen: f32,
+    /// The square of what rounds off the ends.
     soft: f32,
 }
 
@@ -237,13 +298,14 @@ const CHORD_SOFTNESS: f32 = 1.6;
 impl HalfChord {
     fn new(radius: f32, sigma: f32) -> Self {
         let squared = radius * radius;
-        Self { radius, mean: radius * FRAC_PI_4, seen: squared / (squared + sigma * sigma), soft: CHORD_SOFTNESS * radius * sigma }
+        let soft = CHORD_SOFTNESS * radius * sigma;
+        Self { squared, mean: radius * FRAC_PI_4, seen: squared / (squared + sigma * sigma), soft: soft * soft }
     }
 
-    #[inline]
+    #[inline(always)]
     fn at(self, v: f32) -> f32 {
-        let squared = self.radius * self.radius - v * v;
-        let chord = (0.5 * (squared + (squared * squared + self.soft * self.soft).sqrt())).max(0.0).sqrt();
+        let squared = self.squared - v * v;
+        let chord = (0.5 * (squared + (squared * squared + self.soft).sqrt())).max(0.0).sqrt();
         self.mean + (chord - self.mean) * self.seen
     }
 }

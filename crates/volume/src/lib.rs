@@ -1,12 +1,12 @@
 //! Strands sampled into what a graphics card draws: shell layers and a fin.
 //!
-//! Each shell layer is an RGBA image of the hair in a slab of the tile, taken with a tall Gaussian filter; the fin is a slab of hair seen from its side
+//! Each shell layer is an RGBA image of the hair in a slab of the tile, taken with a tall Gaussian filter that has a flat top; the fin is a slab of hair seen from its side
 //! (Lengyel, Praun, Finkelstein, Hoppe, "Real-time fur over arbitrary surfaces", I3D 2001, section 2.2). Hair is integrated in closed form, never
 //! point sampled, so that thin hair neither vanishes nor thickens with the resolution.
 //!
 //! **Convention.** A layer's row 0 is y = 0 of the tile, its column 0 is x = 0; layer 0 is the skin, the last the tips. A fin's row 0 is the tips. Texels are
 //! RGBA8: red, green and blue premultiplied by alpha in linear light and then sRGB-encoded, alpha linear coverage. Strands are cut in `f64`, texels
-//! evaluated and averaged in `f32`, and rounded to bytes once at the end of each level.
+//! evaluated and averaged in `f32`, and rounded to bytes once at the end of each level, so that each layer's mean coverage is kept.
 //!
 //! ```
 //! use pelage_strand::{GrowSettings, grow};
@@ -32,6 +32,7 @@ mod mips;
 mod plane;
 mod shells;
 mod slab;
+mod spacing;
 mod srgb;
 
 pub use error::VolumeError;
@@ -39,4 +40,5 @@ pub use fin::{FinAcross, FinSettings, sample_fin};
 pub use image::{FinTexture, Image, ShellStack, Work};
 pub use mips::MipRule;
 pub use shells::{MAX_TEXELS, ShellSettings, sample_shells};
+pub use spacing::layers_for;
 pub use srgb::{linear_to_srgb, srgb_to_linear};

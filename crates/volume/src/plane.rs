@@ -41,15 +41,25 @@ impl Plane {
 }
 
 /// Layers of one level, encoded one after the other.
+///
+/// Coverage is rounded so that a layer's mean is kept: what one texel's byte lacks or has too much goes to the next that holds hair, row by row. Rounded each for
+/// itself, hair that covers under half a step would vanish. Colour follows its texel's rounded coverage.
 pub(crate) fn encode(layers: &[Plane]) -> Image {
     let encoder = Encoder::new();
     let (width, height) = layers.first().map_or((0, 0), |plane| (plane.width, plane.height));
     let mut texels = Vec::with_capacity(4 * width * height * layers.len());
-    for texel in layers.iter().flat_map(|plane| &plane.texels) {
-        let alpha = texel[3].clamp(0.0, 1.0);
-        // Premultiplied colour cannot exceed what covers.
-        texels.extend(texel[..3].iter().map(|&c| encoder.byte(c.min(alpha))));
-        texels.push((alpha * 255.0 + 0.5) as u8);
+    for plane in layers {
+        let mut owed = 0.0f32;
+        for texel in &plane.texels {
+            // Without hair or wholly covered there is nothing to round.
+            let wanted = texel[3].clamp(0.0, 1.0) * 255.0;
+            let byte = if wanted > 0.0 && wanted < 255.0 { (wanted + owed + 0.5).clamp(0.0, 255.0) as u8 } else { wanted as u8 };
+            owed += wanted - f32::from(byte);
+            let share = if wanted > 0.0 { f32::from(byte) / wanted } else { 0.0 };
+            // Premultiplied colour cannot exceed what covers.
+            texels.extend(texel[..3].iter().map(|&c| encoder.byte((c * share).min(f32::from(byte) / 255.0))));
+            texels.push(byte);
+        }
     }
     Image { width: width as u32, height: height as u32, layers: layers.len() as u32, texels }
 }

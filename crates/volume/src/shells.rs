@@ -2,7 +2,6 @@
 
 use pelage_strand::{Strand, StrandTile};
 use rayon::prelude::*;
-use std::f64::consts::TAU;
 
 use crate::blur::blur;
 use crate::error::{VolumeError, power_of_two, within};
@@ -14,6 +13,9 @@ use crate::slab::{Cut, Slab};
 
 /// Most layers × resolution² sampled at once (16 bytes each while working: 512 MiB).
 pub const MAX_TEXELS: u64 = 1 << 25;
+
+/// Most layers of a stack.
+pub(crate) const MOST_LAYERS: u32 = 256;
 
 /// Widest filter that is laid over hair by hair; what is wider is done to the whole layer at the end.
 const WIDEST_FOOTPRINT: f64 = 1.0;
@@ -27,8 +29,10 @@ pub struct ShellSettings {
     pub resolution: u32,
     /// Lateral deviation of the filter beside the texel's own box, in texels: 0 to 1024. Larger is softer; below 0.5 aliases a little, 0 is the box alone.
     pub lateral_sigma: f64,
-    /// Vertical deviation of the tall Gaussian, in layer spacings: 0.05 to 8. At the default, 1/√(2π), the layers' weights sum to one; larger draws slanted
-    /// hair longer in each layer, smaller cuts it apart.
+    /// How far above and below a layer hair still covers fully, in layer spacings: 0 to 8. At the default, a half, one layer takes over where the next ends, so
+    /// that slanted hair is whole seen along the normal, whatever the spacing; smaller leaves it dotted.
+    pub vertical_core: f64,
+    /// Deviation of the tall Gaussian beyond the core, in layer spacings: 0.05 to 8. Larger draws slanted hair longer in each layer.
     pub vertical_sigma: f64,
     /// Linear RGB of the skin under the innermost layer's hair, each 0 to 1.
     pub skin_colour: [f32; 3],
@@ -42,7 +46,8 @@ impl Default for ShellSettings {
             layers: 16,
             resolution: 128,
             lateral_sigma: 0.35,
-            vertical_sigma: 1.0 / TAU.sqrt(),
+            vertical_core: 0.5,
+            vertical_sigma: 0.2,
             skin_colour: [0.11, 0.075, 0.055],
             mip_rule: MipRule::default(),
         }
@@ -55,9 +60,10 @@ impl ShellSettings {
     /// # Errors
     /// A value outside the range that its field states, a resolution that is no power of two, too many texels.
     pub fn validate(&self) -> Result<(), VolumeError> {
-        within("layers", f64::from(self.layers), 1.0, 256.0, "layers")?;
+        within("layers", f64::from(self.layers), 1.0, f64::from(MOST_LAYERS), "layers")?;
         power_of_two("resolution", self.resolution, 2048)?;
         within("lateral_sigma", self.lateral_sigma, 0.0, 1024.0, "texels")?;
+        within("vertical_core", self.vertical_core, 0.0, 8.0, "layer spacings")?;
         within("vertical_sigma", self.vertical_sigma, 0.05, 8.0, "layer spacings")?;
         self.skin_colour.iter().try_for_each(|&c| within("skin_colour", f64::from(c), 0.0, 1.0, "(linear light)"))?;
         let asked = u64::from(self.layers) * u64::from(self.resolution) * u64::from(self.resolution);
@@ -100,6 +106,7 @@ fn sample_layer(tile: &StrandTile, spans: &[(f32, f32)], settings: &ShellSetting
     let slab = Slab {
         height: tile.height() * f64::from(layer) / steps,
         sigma: settings.vertical_sigma * tile.height() / steps,
+        core: settings.vertical_core / settings.vertical_sigma,
         resolution,
         lateral: near,
     };
@@ -134,15 +141,15 @@ fn sample_layer(tile: &StrandTile, spans: &[(f32, f32)], settings: &ShellSetting
 /// One layer while hairs are added to it.
 struct Gathered {
     side: usize,
-    /// What is still open: Π(1 − a).
-    open: Vec<f32>,
+    /// What is covered: 1 − Π(1 − a), kept as itself, so that hair thinner than the rounding of 1 counts.
+    covered: Vec<f32>,
     /// Σ a·colour and Σ a.
     sums: Vec<[f32; 4]>,
 }
 
 impl Gathered {
     fn new(side: usize) -> Self {
-        Self { side, open: vec![1.0; side * side], sums: vec![[0.0; 4]; side * side] }
+        Self { side, covered: vec![0.0; side * side], sums: vec![[0.0; 4]; side * side] }
     }
 
     /// Covers a fraction of a texel, wrapped on the torus.
@@ -150,7 +157,7 @@ impl Gathered {
         // Sides are powers of two.
         let mask = self.side - 1;
         let index = (y as usize & mask) * self.side + (x as usize & mask);
-        self.open[index] *= 1.0 - covered;
+        self.covered[index] += covered * (1.0 - self.covered[index]);
         let sum = &mut self.sums[index];
         for channel in 0..3 {
             sum[channel] += covered * colour[channel];
@@ -161,8 +168,7 @@ impl Gathered {
     /// Colour is the mean of the hairs' colours weighted by what they cover.
     fn finish(self) -> Plane {
         let mut plane = Plane::new(self.side, self.side);
-        for ((texel, open), sum) in plane.texels.iter_mut().zip(&self.open).zip(&self.sums) {
-            let alpha = 1.0 - open;
+        for ((texel, &alpha), sum) in plane.texels.iter_mut().zip(&self.covered).zip(&self.sums) {
             let share = if sum[3] > 0.0 { alpha / sum[3] } else { 0.0 };
             *texel = [sum[0] * share, sum[1] * share, sum[2] * share, alpha];
         }
@@ -183,11 +189,17 @@ fn lay_on_skin(plane: &mut Plane, skin: [f32; 3]) {
 mod tests {
     use super::*;
     use pelage_strand::StrandSource;
-    use std::f64::consts::PI;
+    use std::f64::consts::{PI, TAU};
+
+    /// What the tall Gaussian with its core weighs in all, in layer spacings.
+    fn weight() -> f64 {
+        let settings = ShellSettings::default();
+        2.0 * settings.vertical_core + settings.vertical_sigma * TAU.sqrt()
+    }
 
     /// What layer 5 of 11 covers of a 64 tile, in texel areas, of one hair.
-    fn mass(points: Vec<[f64; 3]>, radius: f64, lateral_sigma: f64) -> f64 {
-        let source = StrandSource { radii: vec![radius; points.len()], points, root_colour: [1.0; 3], tip_colour: [1.0; 3] };
+    fn mass(points: Vec<[f64; 3]>, radii: Vec<f64>, lateral_sigma: f64) -> f64 {
+        let source = StrandSource { radii, points, root_colour: [1.0; 3], tip_colour: [1.0; 3] };
         let tile = StrandTile::from_strands(1.0, &[source]).unwrap();
         let spans: Vec<(f32, f32)> = tile.strands().map(|strand| span(&strand)).collect();
         let settings = ShellSettings { layers: 11, resolution: 64, lateral_sigma, ..ShellSettings::default() };
@@ -196,30 +208,51 @@ mod tests {
     }
 
     #[test]
-    fn no_width_of_filter_gains_or_loses_hair() {
-        // Upright hair covers its section; leaning hair, besides, a strip as long as it runs in the layer's Gaussian: spacing × slope.
-        for radius in [0.0005, 0.004, 0.02] {
-            for place in [0.3, 0.4951, 0.0, 0.999] {
+    fn gaussian_sampling_keeps_the_mass_within_one_percent() {
+        // Upright hair covers its section; leaning hair, besides, a strip as long as it runs in the layer's Gaussian: spacing × slope × weight.
+        for radius in [1e-7, 1e-5, 0.0005, 0.004, 0.02] {
+            for place in [0.3, 0.4951, 0.0, 0.999, -3.2] {
                 for lateral in [0.0, 1e-6, 1e-3, 0.1, 0.3, 0.5, 1.0, 2.0, 16.0, 64.0] {
                     let section = PI * (radius * 64.0f64).powi(2);
-                    let upright = mass(vec![[place, 0.47, 0.0], [place, 0.47, 1.0]], radius, lateral);
+                    let upright = mass(vec![[place, 0.47, 0.0], [place, 0.47, 1.0]], vec![radius; 2], lateral);
                     assert!((upright / section - 1.0).abs() < 0.01, "radius {radius} at {place}, σ {lateral}: {upright} of {section}");
-                    let strip = section + 2.0 * radius * 64.0 * 0.1 * 0.5 * 64.0;
-                    let leaning = mass(vec![[place, 0.47, 0.0], [place + 0.3, 0.87, 1.0]], radius, lateral);
-                    assert!((leaning / strip - 1.0).abs() < 0.015, "radius {radius} at {place}, σ {lateral}: {leaning} of {strip}");
+                    let strip = section + 2.0 * radius * 64.0 * 0.1 * weight() * 0.5 * 64.0;
+                    let leaning = mass(vec![[place, 0.47, 0.0], [place + 0.3, 0.87, 1.0]], vec![radius; 2], lateral);
+                    assert!((leaning / strip - 1.0).abs() < 0.01, "radius {radius} at {place}, σ {lateral}: {leaning} of {strip}");
                 }
             }
         }
     }
 
     #[test]
+    fn tapering_hair_covers_what_its_thicker_part_below_does() {
+        // A cone upright: a place at ρ from its axis is covered as far up as the cone is that wide.
+        let settings = ShellSettings::default();
+        let (core, sigma) = (0.1 * settings.vertical_core, 0.1 * settings.vertical_sigma);
+        for (root, tip) in [(0.02, 0.0), (0.03, 0.015), (0.002, 0.0001), (0.01, 0.03)] {
+            let covers = |rho: f64| {
+                let height = 0.5 - (rho - root) / (tip - root);
+                let inside = rho <= root + (tip - root) * 0.5;
+                let beyond = if inside { 0.0 } else { (height.abs() - core).max(0.0) / sigma };
+                (-0.5 * beyond * beyond).exp()
+            };
+            let widest = f64::max(root, tip);
+            let step = widest / 20_000.0;
+            let wanted: f64 =
+                (0..20_000).map(|i| (f64::from(i) + 0.5) * step).map(|rho| TAU * rho * step * covers(rho)).sum::<f64>() * 4096.0;
+            let got = mass(vec![[0.3, 0.47, 0.0], [0.3, 0.47, 1.0]], vec![root, tip], 0.35);
+            assert!((got / wanted - 1.0).abs() < 0.01, "from {root} to {tip}: {got} of {wanted}");
+        }
+    }
+
+    #[test]
     fn a_tip_below_a_layer_fades_as_the_gaussian() {
-        // Layer 5 stands at 0.5, its deviation is 0.1/√(2π).
-        let sigma = 0.1 / TAU.sqrt();
+        // Layer 5 stands at 0.5.
+        let settings = ShellSettings::default();
         let section = PI * (0.02 * 64.0f64).powi(2);
         for below in [0.0, 0.5, 1.0, 2.0] {
-            let end = 0.5 - below * sigma;
-            let covered = mass(vec![[0.3, 0.47, 0.0], [0.3, 0.47, end]], 0.02, 0.35);
+            let end = 0.5 - 0.1 * (settings.vertical_core + below * settings.vertical_sigma);
+            let covered = mass(vec![[0.3, 0.47, 0.0], [0.3, 0.47, end]], vec![0.02; 2], 0.35);
             assert!((covered - section * (-0.5 * below * below).exp()).abs() < 0.01 * section, "{below} σ below: {covered} of {section}");
         }
     }

@@ -1,13 +1,14 @@
 //! What part of a strand one layer holds.
 
+use libm::acos;
 use pelage_strand::Strand;
 use std::f64::consts::{PI, TAU};
 
 use crate::footprint::{Kind, Piece};
 use crate::gauss::{bell, integral};
 
-/// Beyond this many vertical σ a layer does not feel the hair: exp(−4.5) is 1 % of an 8-bit step short of nothing at mean weight.
-const WINDOW: f64 = 3.0;
+/// Beyond this many vertical σ above or below its core a layer does not feel the hair: exp(−4.5) is 1 % of an 8-bit step short of nothing at mean weight.
+const FADE: f64 = 3.0;
 
 /// Runs are merged while their joints stay this near to the straight line, in lateral deviations of the filter.
 const MERGE_DEVIATION: f64 = 0.1;
@@ -19,6 +20,8 @@ pub(crate) struct Slab {
     pub(crate) height: f64,
     /// Vertical deviation, tile sides.
     pub(crate) sigma: f64,
+    /// Half the height of the core, in vertical deviations: hair within it covers fully.
+    pub(crate) core: f64,
     /// Texels along a tile side.
     pub(crate) resolution: f64,
     /// Lateral deviation of the filter in texels: sets how finely slanted hair is cut.
@@ -31,8 +34,22 @@ pub(crate) struct Cut {
     pub(crate) pieces: Vec<Piece>,
     /// Texel areas: what the pieces cover together.
     pub(crate) mass: f64,
+    /// Of the mass, what hair covers by being thicker elsewhere in the slab, and not by its way aside.
+    rim: f64,
     /// 0 at the root, 1 at the tip.
     pub(crate) along: f32,
+}
+
+impl Cut {
+    /// Lets the section show what thicker hair below or above it covers around it, which no strip does where hair stands upright.
+    fn widen_section(&mut self) {
+        for piece in &mut self.pieces {
+            if let Kind::Section { weight, alone } = piece.kind {
+                let area = f64::from(piece.radius).powi(2) + self.rim.max(0.0) * f64::from(alone) / (PI * f64::from(weight));
+                piece.radius = area.sqrt() as f32;
+            }
+        }
+    }
 }
 
 /// The way along a strand from one point to the next, in texels, heights in vertical σ from the layer.
@@ -48,17 +65,29 @@ struct Run {
 impl Slab {
     /// The heights that reach into the slab.
     pub(crate) fn reach(&self) -> (f32, f32) {
-        ((self.height - WINDOW * self.sigma) as f32, (self.height + WINDOW * self.sigma) as f32)
+        let reach = self.window() * self.sigma;
+        ((self.height - reach) as f32, (self.height + reach) as f32)
+    }
+
+    /// How far from the layer hair is felt, in vertical deviations.
+    fn window(&self) -> f64 {
+        self.core + FADE
+    }
+
+    /// What hair at a height covers of what it stands over.
+    fn weight(&self, height: f64) -> f64 {
+        bell((height.abs() - self.core).max(0.0))
     }
 
     /// Cuts a strand: `cut` is emptied and filled.
     ///
-    /// A point of the layer is covered when the hair stands over it anywhere within a height d of the layer, where d is random and exceeds x with
-    /// probability exp(−x²/2σ²): the tall Gaussian. A hair's round section at the layer itself thus covers fully, and the run of slanted hair above
-    /// and below fades away as the Gaussian does. With σ = Δ/√(2π) the weights of layers Δ apart sum to one within 1.5 %.
+    /// A point of the layer is covered when hair stands over it within a height d of the layer, where d is random, the same for all hairs, and exceeds the
+    /// core by x with probability exp(−x²/2σ²): a tall Gaussian with a flat top. Hair within the core thus covers fully, and the run of slanted hair above and
+    /// below fades away as the Gaussian does.
     pub(crate) fn cut(&self, strand: &Strand<'_>, cut: &mut Cut) {
         cut.pieces.clear();
         cut.mass = 0.0;
+        cut.rim = 0.0;
         let Some(nearest) = self.nearest(strand) else { return };
         cut.along = nearest.along as f32;
         let (low, high) = self.reach();
@@ -69,21 +98,27 @@ impl Slab {
                 continue;
             }
             let run = self.run(strand, index);
-            for part in run.clipped().into_iter().flat_map(|run| run.split(0.0)).flatten() {
-                let side = if nearest.crossings > 1 { 0.0 } else { if part.middle_along() < nearest.along { -1.0 } else { 1.0 } };
-                if let Some((done, beside)) = pending.take_in(part, side, MERGE_DEVIATION * self.lateral) {
-                    strip(&done, beside, cut);
+            for part in run.clipped(self.window()).into_iter().flat_map(|run| run.parted(self.core)).flatten() {
+                let zone = Zone {
+                    beside: if nearest.crossings > 1 { 0.0 } else { if part.middle_along() < nearest.along { -1.0 } else { 1.0 } },
+                    core: if part.middle_height().abs() < self.core { None } else { Some(self.core.copysign(part.middle_height())) },
+                };
+                if let Some((done, zone)) = pending.take_in(part, zone, MERGE_DEVIATION * self.lateral) {
+                    strip(&done, zone, cut);
                 }
             }
             if let Some(part) = run.crossing() {
                 self.section(&run, part, cut);
             }
         }
-        if let Some((done, beside)) = pending.flush() {
-            strip(&done, beside, cut);
+        if let Some((done, zone)) = pending.flush() {
+            strip(&done, zone, cut);
         }
         if nearest.crossings == 0 {
             self.section(&self.run(strand, nearest.index), nearest.part, cut);
+        }
+        if nearest.crossings <= 1 {
+            cut.widen_section();
         }
     }
 
@@ -101,7 +136,7 @@ impl Slab {
 
     fn section(&self, run: &Run, part: f64, cut: &mut Cut) {
         let radius = run.radii[0] + (run.radii[1] - run.radii[0]) * part;
-        let weight = bell(run.heights[0] + (run.heights[1] - run.heights[0]) * part);
+        let weight = self.weight(run.heights[0] + (run.heights[1] - run.heights[0]) * part);
         let length = run.length();
         let along = if length > 1e-6 { [run.step[0] / length, run.step[1] / length] } else { [1.0, 0.0] };
         cut.mass += PI * radius * radius * weight;
@@ -110,14 +145,15 @@ impl Slab {
             along: along.map(|c| c as f32),
             length: 0.0,
             radius: radius as f32,
+            taper: 0.0,
             kind: Kind::Section { weight: weight as f32, alone: self.alone(run) as f32 },
         });
     }
 
-    /// How much of a section stands alone: what of the hair's run beside it fades within the filter's width.
+    /// How much of a section stands alone: what of the hair's run beside it ends within the filter's width.
     fn alone(&self, run: &Run) -> f64 {
-        let fade = run.length() / (run.heights[1] - run.heights[0]).abs().max(1e-9);
-        1.0 - bell(self.lateral / fade.max(1e-9))
+        let beside = run.length() / (run.heights[1] - run.heights[0]).abs().max(1e-9) * (1.0 + self.core);
+        1.0 - bell(self.lateral / beside.max(1e-9))
     }
 
     /// Where the strand comes nearest to the layer; `None` if the slab does not feel it.
@@ -137,7 +173,7 @@ impl Slab {
                 best = Nearest { index, part, along, distance, ..best };
             }
         }
-        (best.distance <= WINDOW).then_some(best)
+        (best.distance <= self.window()).then_some(best)
     }
 }
 
@@ -156,6 +192,12 @@ impl Run {
 
     fn middle_along(&self) -> f64 {
         0.5 * (self.along[0] + self.along[1])
+    }
+
+    /// How much thicker the hair becomes away from the layer, in texels.
+    fn outward_growth(&self) -> f64 {
+        let growth = self.radii[1] - self.radii[0];
+        if self.heights[1].abs() >= self.heights[0].abs() { growth } else { -growth }
     }
 
     fn crossing(&self) -> Option<f64> {
@@ -204,28 +246,39 @@ impl Run {
         }
     }
 
-    /// The part within the window, if there is one.
-    fn clipped(&self) -> Option<Self> {
+    fn middle_height(&self) -> f64 {
+        0.5 * (self.heights[0] + self.heights[1])
+    }
+
+    /// The part within a window of heights, if there is one.
+    fn clipped(&self, window: f64) -> Option<Self> {
         let [a, b] = self.heights;
-        if a.abs() <= WINDOW && b.abs() <= WINDOW {
+        if a.abs() <= window && b.abs() <= window {
             return Some(*self);
         }
-        if a.max(b) <= -WINDOW || a.min(b) >= WINDOW {
+        if a.max(b) <= -window || a.min(b) >= window {
             return None;
         }
         let at = |height: f64| ((height - a) / (b - a)).clamp(0.0, 1.0);
-        let (t0, t1) = (at(-WINDOW).min(at(WINDOW)), at(-WINDOW).max(at(WINDOW)));
+        let (t0, t1) = (at(-window).min(at(window)), at(-window).max(at(window)));
         (t1 > t0).then(|| self.between(t0, t1))
     }
 
-    /// The run in two where it passes `height`, else as it is.
-    fn split(&self, height: f64) -> [Option<Self>; 2] {
+    /// The run in parts where it passes the layer or an end of its core, in order.
+    fn parted(&self, core: f64) -> [Option<Self>; 4] {
         let [a, b] = self.heights;
-        if (a < height) == (b < height) {
-            return [Some(*self), None];
+        let place = |height: f64| if (a < height) == (b < height) { None } else { Some((height - a) / (b - a)) };
+        let cuts = if b > a { [-core, 0.0, core] } else { [core, 0.0, -core] };
+        let mut from = 0.0;
+        let mut parts = [None; 4];
+        for (part, end) in parts.iter_mut().zip(cuts.map(place).into_iter().chain([Some(1.0)])) {
+            let Some(end) = end else { continue };
+            if end > from {
+                *part = Some(if from == 0.0 && end == 1.0 { *self } else { self.between(from, end) });
+                from = end;
+            }
         }
-        let t = (height - a) / (b - a);
-        [Some(self.between(0.0, t)), Some(self.between(t, 1.0))]
+        parts
     }
 }
 
@@ -244,57 +297,84 @@ struct Joint {
 /// Joints that a merged run may have.
 const MOST_JOINTS: usize = 8;
 
-/// Runs on one side of the layer, merged while they are as good as straight: hair has more points than a layer can tell apart.
+/// Where a run lies to the layer.
+#[derive(Clone, Copy, Debug, PartialEq)]
+struct Zone {
+    /// −1 before the layer, 1 after it, along the hair; 0 where hair that passes more than once has no one side.
+    beside: f32,
+    /// The end of the core that it lies beyond, in vertical deviations; `None` within it.
+    core: Option<f64>,
+}
+
+/// Runs in one zone, merged while they are as good as straight: hair has more points than a layer can tell apart.
 #[derive(Default)]
 struct Pending {
-    run: Option<(Run, f32)>,
+    run: Option<(Run, Zone)>,
     joints: [Joint; MOST_JOINTS],
     count: usize,
 }
 
 impl Pending {
     /// Adds a run; hands back the finished one that it could not be merged with.
-    fn take_in(&mut self, next: Run, side: f32, tolerance: f64) -> Option<(Run, f32)> {
-        let Some((run, old_side)) = self.run else {
-            self.run = Some((next, side));
+    fn take_in(&mut self, next: Run, zone: Zone, tolerance: f64) -> Option<(Run, Zone)> {
+        let Some((run, old_zone)) = self.run else {
+            self.run = Some((next, zone));
             return None;
         };
         let merged = run.joined(&next);
         let joint = Joint { place: next.from, height: next.heights[0] };
         let end = run.end();
-        let follows = run.heights[1] == next.heights[0] && (end[0] - next.from[0]).abs() + (end[1] - next.from[1]).abs() < 1e-6;
+        let follows =
+            (run.heights[1] - next.heights[0]).abs() < 1e-9 && (end[0] - next.from[0]).abs() + (end[1] - next.from[1]).abs() < 1e-6;
         let straight = self.joints[..self.count].iter().chain([&joint]).all(|joint| merged.deviation(joint) <= tolerance);
-        if follows && side == old_side && straight && self.count < MOST_JOINTS {
+        if follows && zone == old_zone && straight && self.count < MOST_JOINTS {
             self.joints[self.count] = joint;
             self.count += 1;
-            self.run = Some((merged, side));
+            self.run = Some((merged, zone));
             return None;
         }
         self.count = 0;
-        self.run.replace((next, side))
+        self.run.replace((next, zone))
     }
 
-    fn flush(&mut self) -> Option<(Run, f32)> {
+    fn flush(&mut self) -> Option<(Run, Zone)> {
         self.run.take()
     }
 }
 
 /// The strip of one run.
-fn strip(run: &Run, beside: f32, cut: &mut Cut) {
+fn strip(run: &Run, zone: Zone, cut: &mut Cut) {
+    let heights = run.heights.map(|height| zone.core.map_or(0.0, |core| height - core));
     let length = run.length();
+    let shown = 0.5 * (run.radii[0] + run.radii[1]) * mean_bell(heights[0], heights[1]);
+    let area = swept(length, run.outward_growth());
+    cut.mass += shown * area;
+    cut.rim += shown * (area - 2.0 * length);
     if length < 1e-6 {
         return;
     }
-    let rise = run.heights[1] - run.heights[0];
-    let radius = 0.5 * (run.radii[0] + run.radii[1]);
-    cut.mass += 2.0 * radius * length * mean_bell(run.heights[0], run.heights[1]);
     cut.pieces.push(Piece {
         from: run.from.map(|c| c as f32),
         along: run.step.map(|c| (c / length) as f32),
         length: length as f32,
-        radius: radius as f32,
-        kind: Kind::Strip { height: run.heights[0] as f32, rise: (rise / length) as f32, beside },
+        radius: (0.5 * (run.radii[0] + run.radii[1])) as f32,
+        taper: ((run.radii[1] - run.radii[0]) / length) as f32,
+        kind: Kind::Strip { height: heights[0] as f32, rise: ((heights[1] - heights[0]) / length) as f32, beside: zone.beside },
     });
+}
+
+/// The area that a disc of radius 1 covers for the first time as it moves by `way` and grows by `growth` at once (both small: the rate of it).
+///
+/// The normal speed of the rim, way·cos φ + growth, integrated over the part of the rim where it is positive: 2·way where nothing grows, the whole rim where
+/// growth outruns the way, none where it shrinks faster than it moves.
+fn swept(way: f64, growth: f64) -> f64 {
+    if growth >= way {
+        return TAU * growth;
+    }
+    if growth <= -way {
+        return 0.0;
+    }
+    2.0 * ((way * way - growth * growth).sqrt() + growth * acos(-growth / way))
 }
 
 /// The mean of exp(−x²/2) from a to b, in closed form by erf.

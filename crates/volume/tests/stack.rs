@@ -2,8 +2,8 @@
 
 #![allow(clippy::unwrap_used, reason = "a test that cannot go on fails")]
 
-use pelage_strand::{GrowSettings, StrandSource, StrandTile, Style, Undercoat, grow};
-use pelage_volume::{MipRule, ShellSettings, ShellStack, VolumeError, sample_shells, srgb_to_linear};
+use pelage_strand::{GrowSettings, StrandTile, Style, Undercoat, grow};
+use pelage_volume::{MipRule, ShellSettings, VolumeError, sample_shells, srgb_to_linear};
 use proptest::prelude::*;
 
 fn bare() -> Undercoat {
@@ -12,24 +12,6 @@ fn bare() -> Undercoat {
 
 fn coat() -> StrandTile {
     grow(&GrowSettings::default()).unwrap()
-}
-
-fn alpha(stack: &ShellStack, level: usize, layer: u32, x: u32, y: u32) -> f64 {
-    f64::from(stack.mips[level].texel(layer, x, y).unwrap()[3]) / 255.0
-}
-
-/// The same strands, moved over the torus.
-fn shifted(tile: &StrandTile, by: [f64; 2]) -> StrandTile {
-    let sources: Vec<StrandSource> = tile
-        .strands()
-        .map(|s| StrandSource {
-            points: s.points.iter().map(|p| [f64::from(p[0]) + by[0], f64::from(p[1]) + by[1], f64::from(p[2])]).collect(),
-            radii: s.radii.iter().map(|&r| f64::from(r)).collect(),
-            root_colour: s.root_colour,
-            tip_colour: s.tip_colour,
-        })
-        .collect();
-    StrandTile::from_strands(tile.height(), &sources).unwrap()
 }
 
 #[test]
@@ -68,13 +50,6 @@ fn a_bald_box_is_skin_and_nothing_else() {
 }
 
 #[test]
-fn one_layer_is_the_skin() {
-    let stack = sample_shells(&coat(), &ShellSettings { layers: 1, ..ShellSettings::default() }).unwrap();
-    assert!(stack.layers == 1 && (stack.mips[0].mean_coverage(0) - 1.0).abs() < 1e-12);
-    assert_eq!(stack.transmittance(0, [0.0, 0.0]), Some(1.0));
-}
-
-#[test]
 fn colour_is_premultiplied_and_is_the_hairs_own() {
     let grey =
         GrowSettings { root_colour: [0.5; 3], tip_colour: [0.5; 3], colour_variation: 0.0, undercoat: bare(), ..GrowSettings::default() };
@@ -88,65 +63,14 @@ fn colour_is_premultiplied_and_is_the_hairs_own() {
 }
 
 #[test]
-fn whole_tiles_away_is_the_same_hair() {
-    let tile = grow(&GrowSettings { count: 150, undercoat: bare(), ..GrowSettings::default() }).unwrap();
-    let settings = ShellSettings { resolution: 64, ..ShellSettings::default() };
-    let home = sample_shells(&tile, &settings).unwrap();
-    for tiles in [[1, -1], [1000, -1000]] {
-        assert_eq!(home, sample_shells(&tile.moved(tiles), &settings).unwrap());
-        // Given in the plane as one number, a place loses what f64 cannot hold: far less than a byte's step.
-        let away = sample_shells(&shifted(&tile, tiles.map(f64::from)), &settings).unwrap();
-        assert!(home.mips[0].texels.iter().zip(&away.mips[0].texels).all(|(a, b)| a.abs_diff(*b) <= 1));
-    }
-}
-
-#[test]
-fn hair_moved_by_whole_texels_moves_the_picture() {
-    let tile = grow(&GrowSettings { count: 150, undercoat: bare(), ..GrowSettings::default() }).unwrap();
-    let settings = ShellSettings { resolution: 64, ..ShellSettings::default() };
-    let home = sample_shells(&tile, &settings).unwrap();
-    let moved = sample_shells(&shifted(&tile, [27.0 / 64.0, 50.0 / 64.0]), &settings).unwrap();
-    for layer in 1..16 {
-        for i in 0..64 * 64 {
-            let (x, y) = (i % 64, i / 64);
-            let difference = alpha(&home, 0, layer, x, y) - alpha(&moved, 0, layer, (x + 27) % 64, (y + 50) % 64);
-            assert!(difference.abs() < 2.5 / 255.0, "layer {layer} at {x}, {y}: {difference}");
-        }
-    }
-}
-
-#[test]
-fn the_seam_cannot_be_told_from_the_middle() {
-    // The mean step from texel to texel over each line of the tile, over several seeds: the line that is the border is like any other.
-    let mut steps = [[0.0f64; 64]; 2];
-    for seed in 0..6 {
-        let tile = grow(&GrowSettings { seed, ..GrowSettings::default() }).unwrap();
-        let stack = sample_shells(&tile, &ShellSettings { resolution: 64, ..ShellSettings::default() }).unwrap();
-        for layer in 1..16 {
-            for i in 0..64 * 64 {
-                let (x, y) = (i % 64, i / 64);
-                let here = alpha(&stack, 0, layer, x, y);
-                steps[0][x as usize] += (here - alpha(&stack, 0, layer, (x + 1) % 64, y)).abs();
-                steps[1][y as usize] += (here - alpha(&stack, 0, layer, x, (y + 1) % 64)).abs();
-            }
-        }
-    }
-    for lines in steps {
-        let mean = lines[..63].iter().sum::<f64>() / 63.0;
-        let deviation = (lines[..63].iter().map(|s| (s - mean).powi(2)).sum::<f64>() / 63.0).sqrt();
-        assert!((lines[63] - mean).abs() < 3.0 * deviation, "{} against {mean} ± {deviation}", lines[63]);
-    }
-}
-
-#[test]
 fn mips_keep_what_their_rule_says() {
     let tile = coat();
     let stack = sample_shells(&tile, &ShellSettings { mip_rule: MipRule::Coverage, ..ShellSettings::default() }).unwrap();
     for mip in &stack.mips {
         for layer in 0..16 {
             let lost = mip.mean_coverage(layer) - stack.mips[0].mean_coverage(layer);
-            // Half a byte's step at this level and the mean rounding of the finest.
-            assert!(lost.abs() < 0.55 / 255.0, "layer {layer} at {}: {lost}", mip.width);
+            // The rounding of bytes keeps a level's sum to a step.
+            assert!(lost.abs() < 1.01 / (255.0 * f64::from(mip.width * mip.width)), "layer {layer} at {}: {lost}", mip.width);
         }
     }
     let open = grow(&GrowSettings { count: 400, lean: 0.0, splay: 4.0, undercoat: bare(), ..GrowSettings::default() }).unwrap();
@@ -157,27 +81,6 @@ fn mips_keep_what_their_rule_says() {
         let kept = stack.transmittance(level, [0.0, 0.0]).unwrap();
         assert!((kept - full).abs() < 0.01, "level {level}: {kept} of {full}");
     }
-}
-
-#[test]
-fn more_layers_pass_as_much_light() {
-    let tile = coat();
-    let through = |layers: u32| {
-        let stack = sample_shells(&tile, &ShellSettings { layers, resolution: 64, ..ShellSettings::default() }).unwrap();
-        [0.0, 1.0, 75f64.to_radians().tan()].map(|slope| stack.transmittance(0, [slope, 0.0]).unwrap())
-    };
-    let reference = through(16);
-    for layers in [8, 32] {
-        for (a, b) in through(layers).into_iter().zip(reference) {
-            assert!((a - b).abs() < 0.02, "{layers} layers: {a} against {b}");
-        }
-    }
-    // Of open, upright hair the share that stands under hair is seen once however many layers there are, but for the texels at its edge.
-    let open = grow(&GrowSettings { count: 150, lean: 0.0, undercoat: bare(), ..GrowSettings::default() }).unwrap();
-    let clear = |layers: u32| {
-        sample_shells(&open, &ShellSettings { layers, ..ShellSettings::default() }).unwrap().transmittance(0, [0.0, 0.0]).unwrap()
-    };
-    assert!((clear(16) - clear(32)).abs() < 0.05, "{} {}", clear(16), clear(32));
 }
 
 #[test]

@@ -11,7 +11,7 @@ use crate::shading::linear;
 
 /// Shell layers by a tall Gaussian filter against the strands (L8).
 #[derive(Node)]
-#[node(category = "Hair", version = 1)]
+#[node(category = "Hair", version = 2)]
 #[output(shells: ShellTexture, "The layers, innermost first.")]
 pub struct SampleShells {
     /// The hair.
@@ -56,7 +56,7 @@ pub enum FinDirection {
 
 /// A fin: a slab of the hair, composited as it is seen from its side (L9).
 #[derive(Node)]
-#[node(category = "Hair", version = 1)]
+#[node(category = "Hair", version = 2)]
 #[output(fin: FinTexture, "The fin.")]
 pub struct SampleFin {
     /// The hair; it may be other hair than the shells'.

@@ -8,7 +8,9 @@ use std::f64::consts::TAU;
 pub(crate) struct ExactLayer {
     /// Height above the skin, tile sides.
     pub(crate) height: f64,
-    /// Deviation of the tall Gaussian, tile sides.
+    /// Half the height within which hair covers fully, tile sides.
+    pub(crate) core: f64,
+    /// Deviation of the tall Gaussian beyond the core, tile sides.
     pub(crate) vertical: f64,
     /// Texels along a tile side.
     pub(crate) resolution: u32,
@@ -34,7 +36,8 @@ impl ExactLayer {
         sum / f64::from(samples)
     }
 
-    /// The probability that a place (tile sides) is covered: exp(−d²/2) where d is how near, in vertical deviations, any hair over it comes to the layer.
+    /// The probability that a place (tile sides) is covered: exp(−d²/2) where d is how far, in vertical deviations, the hair over it that comes nearest to
+    /// the layer stays outside its core.
     fn at(&self, near: &[(Strand<'_>, [f64; 2])], place: [f64; 2]) -> f64 {
         let mut best = f64::INFINITY;
         for (strand, image) in near {
@@ -43,13 +46,14 @@ impl ExactLayer {
                 best = best.min(self.nearest_on(points, radii, place));
             }
         }
-        (-0.5 * best * best).exp()
+        let beyond = (best - self.core).max(0.0) / self.vertical;
+        (-0.5 * beyond * beyond).exp()
     }
 
-    /// The strands, and which periodic image of the place they are nearest to, that come within `margin` of it.
+    /// The strands, as far as the layer feels them at all, and which periodic image of the place they are nearest to, that come within `margin` of it.
     fn near<'a>(&self, hair: &'a StrandTile, place: [f64; 2], margin: f64) -> Vec<(Strand<'a>, [f64; 2])> {
         let mut near = Vec::new();
-        for strand in hair.strands() {
+        for strand in hair.strands().filter_map(|strand| self.felt(strand)) {
             let (mut low, mut high) = ([f64::INFINITY; 2], [f64::NEG_INFINITY; 2]);
             for (p, r) in strand.points.iter().zip(strand.radii) {
                 for axis in 0..2 {
@@ -64,6 +68,16 @@ impl ExactLayer {
             }
         }
         near
+    }
+
+    /// From the first to the last segment of a strand that comes so near that more than e⁻¹⁸ could be left of it.
+    fn felt<'a>(&self, strand: Strand<'a>) -> Option<Strand<'a>> {
+        let reach = self.core + 6.0 * self.vertical;
+        let heights = |pair: &[[f32; 3]]| [pair[0][2], pair[1][2]].map(|z| f64::from(z) - self.height);
+        let feels = |pair: &[[f32; 3]]| heights(pair).into_iter().any(|z| z >= -reach) && heights(pair).into_iter().any(|z| z <= reach);
+        let first = strand.points.windows(2).position(feels)?;
+        let last = strand.points.windows(2).rposition(feels)?;
+        Some(Strand { points: &strand.points[first..last + 2], radii: &strand.radii[first..last + 2], ..strand })
     }
 
     /// Heights of a segment where its round section holds the place: a quadratic in the way along it.
@@ -81,7 +95,7 @@ impl ExactLayer {
         if ends.len() == 2 && !inside(0.5) {
             return f64::INFINITY;
         }
-        let depth = |t: f64| (a[2] + (b[2] - a[2]) * t - self.height) / self.vertical;
+        let depth = |t: f64| a[2] + (b[2] - a[2]) * t - self.height;
         let mut best = f64::INFINITY;
         for pair in ends.windows(2).filter(|pair| inside(0.5 * (pair[0] + pair[1]))) {
             let (h0, h1) = (depth(pair[0]), depth(pair[1]));
