@@ -1,5 +1,7 @@
 //! The side away from the light is darker.
 
+use crate::hair::within;
+
 /// How far round the skin the light reaches, softened so that it wraps about the terminator.
 ///
 /// Hair lighting alone lights both sides of a ball alike. Goldman 1997 scales it by where the light stands to the skin:
@@ -22,9 +24,10 @@ impl Default for Facing {
 
 impl Facing {
     /// The factor on the direct light for a skin whose normal makes N·L with it: from 1 − `strength` to 1, never falling as N·L grows.
+    /// What is no number lies in the dark.
     pub fn factor(&self, n_dot_l: f64) -> f64 {
         // A range without width is a step, not a division by zero.
-        let t = ((n_dot_l - self.dark_below) / (self.full_above - self.dark_below).max(1e-9)).clamp(0.0, 1.0);
-        1.0 + self.strength.clamp(0.0, 1.0) * (t * t * (3.0 - 2.0 * t) - 1.0)
+        let t = within((n_dot_l - self.dark_below) / (self.full_above - self.dark_below).max(1e-9), 0.0, 1.0, 0.0);
+        1.0 + within(self.strength, 0.0, 1.0, 0.0) * (t * t * (3.0 - 2.0 * t) - 1.0)
     }
 }

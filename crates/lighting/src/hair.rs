@@ -42,7 +42,8 @@ impl Default for HairLighting {
 impl HairLighting {
     /// The light returned for u = T·L and v = T·H, cosines that may lie beyond ±1 by rounding.
     ///
-    /// Finite for every finite input, exact to rounding; with both powers 0 it is Ka + Kd + Ks exactly.
+    /// Finite for finite colours, exact to rounding; with both powers 0 it is Ka + Kd + Ks exactly. A cosine that is no number counts as 1, a power that is
+    /// none as 0.
     pub fn evaluate(&self, u: f64, v: f64) -> DVec3 {
         self.combine(self.diffuse_factor(u), self.specular_factor(v))
     }
@@ -63,11 +64,16 @@ impl HairLighting {
     }
 }
 
+/// The value brought into a range; `otherwise` for what is no number.
+pub(crate) fn within(value: f64, low: f64, high: f64, otherwise: f64) -> f64 {
+    if value.is_nan() { otherwise } else { value.clamp(low, high) }
+}
+
 /// sin(angle)^power from the angle's cosine.
 ///
 /// Clamped before the root, as rounded unit vectors often have a product above 1. `libm`, so that tables have the same bits everywhere.
 fn sine_power(cosine: f64, power: f64) -> f64 {
-    let cosine = cosine.clamp(-1.0, 1.0);
+    let cosine = within(cosine, -1.0, 1.0, 1.0);
     // (1 − c)(1 + c) keeps the digits that 1 − c² loses near ±1.
     libm::pow((1.0 - cosine) * (1.0 + cosine), 0.5 * power.max(0.0))
 }
@@ -81,9 +87,13 @@ pub struct HalfVector {
     pub weight: f64,
 }
 
-/// The half vector of unit *L* and *V*: as they come to oppose each other it has no direction, and its weight fades to 0.
+/// The half vector of unit *L* and *V*: as they come to oppose each other it has no direction, and its weight fades to 0, as it does for what is no number.
 pub fn half_vector(light: DVec3, view: DVec3) -> HalfVector {
     let sum = light + view;
     let length = sum.length();
-    HalfVector { direction: if length > 0.0 { sum / length } else { DVec3::ZERO }, weight: (length / HALF_VECTOR_FADE).min(1.0) }
+    if length > 0.0 {
+        HalfVector { direction: sum / length, weight: (length / HALF_VECTOR_FADE).min(1.0) }
+    } else {
+        HalfVector { direction: DVec3::ZERO, weight: 0.0 }
+    }
 }

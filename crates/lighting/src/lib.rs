@@ -44,4 +44,4 @@ pub use facing::Facing;
 pub use hair::{HALF_VECTOR_FADE, HairLighting, HalfVector, half_vector};
 pub use shade::{HairPoint, Illumination, Shading};
 pub use shadow::{DIFFUSIVITY, SelfShadow};
-pub use table::{Axis, FactorError, LightingTable, TableError, TableLayout};
+pub use table::{Axis, Deviation, FactorError, LightingTable, TableError, TableLayout};

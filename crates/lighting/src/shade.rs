@@ -2,6 +2,7 @@
 
 use glam::DVec3;
 
+use crate::hair::within;
 use crate::{Facing, HairLighting, SelfShadow, half_vector};
 
 /// A light at infinity and a hemisphere of light from all around.
@@ -20,7 +21,7 @@ pub struct Illumination {
 impl Illumination {
     /// The light from all around that falls on a skin with unit `normal`: from ground to sky in proportion to the height it looks at.
     pub fn hemisphere(&self, normal: DVec3) -> DVec3 {
-        self.ground.lerp(self.sky, (0.5 + 0.5 * normal.y).clamp(0.0, 1.0))
+        self.ground.lerp(self.sky, within(0.5 + 0.5 * normal.y, 0.0, 1.0, 0.0))
     }
 }
 
@@ -68,7 +69,7 @@ impl Shading {
 
     /// The light that bare skin of albedo 1 sends out: Ka · hemisphere(N) + Kd · max(N·L, 0) · light.
     pub fn skin(&self, illumination: &Illumination, normal: DVec3) -> DVec3 {
-        let n_dot_l = normal.dot(illumination.direction).clamp(0.0, 1.0);
+        let n_dot_l = within(normal.dot(illumination.direction), 0.0, 1.0, 0.0);
         self.hair.ambient * illumination.hemisphere(normal) + self.hair.diffuse * illumination.colour * n_dot_l
     }
 }

@@ -1,5 +1,7 @@
 //! Fur that stands in its own shadow.
 
+use crate::hair::within;
+
 /// The mean path of light from a whole hemisphere through a layer, over the layer's thickness, as the exponent 5/3 of two-stream theory.
 ///
 /// Diffuse light crosses a layer of optical depth τ with transmittance 2 E₃(τ), which exp(−5τ/3) follows within 0.033 (the *diffusivity
@@ -30,19 +32,19 @@ impl Default for SelfShadow {
 impl SelfShadow {
     /// The part of the direct light that arrives at `depth` (0 at the tips, 1 at the skin) where the skin's normal makes N·L with the light.
     ///
-    /// From `minimum` to 1; 1 at the tips; falls with depth and rises with N·L.
+    /// From `minimum` to 1; 1 at the tips; falls with depth and rises with N·L. A depth that is no number counts as the skin's.
     pub fn transmittance(&self, depth: f64, n_dot_l: f64) -> f64 {
-        let slant = n_dot_l.max(self.grazing.clamp(1e-6, 1.0));
-        self.floored(self.density.max(0.0) * depth.clamp(0.0, 1.0) / slant)
+        let slant = n_dot_l.max(within(self.grazing, 1e-6, 1.0, 1.0));
+        self.floored(self.density.max(0.0) * within(depth, 0.0, 1.0, 1.0) / slant)
     }
 
     /// The part of the light from all around that arrives at `depth`: the same law with the path of a whole hemisphere, [`DIFFUSIVITY`].
     pub fn sky_transmittance(&self, depth: f64) -> f64 {
-        self.floored(self.density.max(0.0) * depth.clamp(0.0, 1.0) * DIFFUSIVITY)
+        self.floored(self.density.max(0.0) * within(depth, 0.0, 1.0, 1.0) * DIFFUSIVITY)
     }
 
     fn floored(&self, optical_depth: f64) -> f64 {
-        let minimum = self.minimum.clamp(0.0, 1.0);
+        let minimum = within(self.minimum, 0.0, 1.0, 0.0);
         minimum + (1.0 - minimum) * libm::exp(-optical_depth)
     }
 }

@@ -1,6 +1,7 @@
 //! Hair lighting looked up instead of computed (L13).
 
 use crate::HairLighting;
+use crate::hair::within;
 
 /// Which quantity runs evenly along an axis of the table.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -12,9 +13,9 @@ pub enum Axis {
 }
 
 impl Axis {
-    /// Where a cosine lies along the axis, from 0 to 1.
+    /// Where a cosine lies along the axis, from 0 to 1; what is no number counts as 1.
     pub fn position(self, cosine: f64) -> f64 {
-        let cosine = cosine.clamp(-1.0, 1.0);
+        let cosine = within(cosine, -1.0, 1.0, 1.0);
         match self {
             Self::Cosine => 0.5 + 0.5 * cosine,
             Self::Angle => 1.0 - libm::acos(cosine) / std::f64::consts::PI,
@@ -64,13 +65,22 @@ pub enum TableError {
     },
 }
 
-/// The largest error of each factor of a table.
+/// How far a table is from the formula.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Deviation {
+    /// The largest error, looked for at 64 places between any two texels.
+    pub largest: f64,
+    /// The root of the mean square over cosines evenly spread from −1 to 1, which are directions evenly spread.
+    pub rms: f64,
+}
+
+/// The error of each factor of a table.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct FactorError {
-    /// Of the diffuse factor, over all u.
-    pub diffuse: f64,
-    /// Of the specular factor, over all v.
-    pub specular: f64,
+    /// Of (1 − u²)^(Pd/2).
+    pub diffuse: Deviation,
+    /// Of (1 − v²)^(Ps/2).
+    pub specular: Deviation,
 }
 
 /// The two factors of hair lighting over u and v, to be looked up bilinearly.
@@ -119,30 +129,36 @@ impl LightingTable {
         self.specular.iter().flat_map(|&specular| self.diffuse.iter().map(move |&diffuse| [diffuse, specular])).collect()
     }
 
-    /// The largest error of each factor against the exact `lighting`, measured at 64 places between any two texels and near both ends.
+    /// The error of each factor against the exact `lighting`.
     pub fn factor_error(&self, lighting: &HairLighting) -> FactorError {
-        let worst = |axis: Axis, row: &[f32], exact: &dyn Fn(f64) -> f64| {
-            signed_error(axis, row, exact).iter().fold(0.0_f64, |worst, error| worst.max(error.abs()))
+        let [diffuse, specular] =
+            self.spreads(lighting).map(|spread| Deviation { largest: spread.most.max(-spread.least), rms: spread.square.sqrt() });
+        FactorError { diffuse, specular }
+    }
+
+    /// The error of the finished light Ka + Kd · diffuse + Ks · specular: the largest in any colour channel over all u and v, and the root of the mean square
+    /// of all channels.
+    pub fn colour_error(&self, lighting: &HairLighting) -> Deviation {
+        let [diffuse, specular] = self.spreads(lighting);
+        // u and v are free of each other, so that the extremes of both meet and their means multiply.
+        let channel = |kd: f64, ks: f64| {
+            let (up, down) = (diffuse.reach(kd)[1] + specular.reach(ks)[1], diffuse.reach(kd)[0] + specular.reach(ks)[0]);
+            let square = kd * kd * diffuse.square + 2.0 * kd * ks * diffuse.mean * specular.mean + ks * ks * specular.square;
+            (up.max(-down), square)
         };
-        FactorError {
-            diffuse: worst(self.layout.u, &self.diffuse, &|u| lighting.diffuse_factor(u)),
-            specular: worst(self.layout.v, &self.specular, &|v| lighting.specular_factor(v)),
+        let channels = [0, 1, 2].map(|c| channel(lighting.diffuse[c], lighting.specular[c]));
+        Deviation {
+            largest: channels.iter().fold(0.0, |most, (largest, _)| most.max(*largest)),
+            rms: (channels.iter().map(|(_, square)| square).sum::<f64>() / 3.0).sqrt(),
         }
     }
 
-    /// The largest error of the finished light in any colour channel, over all u and v, measured as [`LightingTable::factor_error`].
-    pub fn max_error(&self, lighting: &HairLighting) -> f64 {
-        let [least_d, most_d] = signed_error(self.layout.u, &self.diffuse, &|u| lighting.diffuse_factor(u));
-        let [least_s, most_s] = signed_error(self.layout.v, &self.specular, &|v| lighting.specular_factor(v));
-        let (diffuse, specular) = (lighting.diffuse.abs().max_element(), lighting.specular.abs().max_element());
-        // u and v are free of each other, so that the extremes of both meet.
-        let channel = |kd: f64, ks: f64| (kd * most_d + ks * most_s).max(-(kd * least_d + ks * least_s));
-        let same_sign = lighting.diffuse.cmpge(glam::DVec3::ZERO).all() && lighting.specular.cmpge(glam::DVec3::ZERO).all();
-        if same_sign {
-            (0..3).map(|c| channel(lighting.diffuse[c], lighting.specular[c])).fold(0.0, f64::max)
-        } else {
-            diffuse * most_d.max(-least_d) + specular * most_s.max(-least_s)
-        }
+    /// How the errors of the diffuse and of the specular factor spread.
+    fn spreads(&self, lighting: &HairLighting) -> [Spread; 2] {
+        [
+            Spread::of(self.layout.u, &self.diffuse, &|u| lighting.diffuse_factor(u)),
+            Spread::of(self.layout.v, &self.specular, &|v| lighting.specular_factor(v)),
+        ]
     }
 }
 
@@ -154,12 +170,33 @@ fn linear(row: &[f32], position: f64) -> f64 {
     a + (b - a) * (at - low as f64)
 }
 
-/// The least and the greatest of table less truth along one axis.
-fn signed_error(axis: Axis, row: &[f32], exact: &dyn Fn(f64) -> f64) -> [f64; 2] {
-    const BETWEEN: usize = 64;
-    let steps = BETWEEN * (row.len() - 1);
-    (0..=steps).map(|i| i as f64 / steps as f64).fold([0.0, 0.0], |[least, most], position| {
-        let error = linear(row, position) - exact(axis.cosine(position));
-        [f64::min(least, error), f64::max(most, error)]
-    })
+/// Table less truth along one axis.
+struct Spread {
+    least: f64,
+    most: f64,
+    mean: f64,
+    square: f64,
+}
+
+impl Spread {
+    fn of(axis: Axis, row: &[f32], exact: &dyn Fn(f64) -> f64) -> Self {
+        const BETWEEN: usize = 64;
+        let steps = BETWEEN * (row.len() - 1);
+        let [least, most] = (0..=steps).map(|i| i as f64 / steps as f64).fold([0.0, 0.0], |[least, most], position| {
+            let error = linear(row, position) - exact(axis.cosine(position));
+            [f64::min(least, error), f64::max(most, error)]
+        });
+        let even = (0..steps)
+            .map(|i| (2.0 * i as f64 + 1.0) / steps as f64 - 1.0)
+            .map(|cosine| linear(row, axis.position(cosine)) - exact(cosine));
+        let [mean, square] =
+            even.fold([0.0, 0.0], |[mean, square], error| [mean + error, square + error * error]).map(|sum| sum / steps as f64);
+        Self { least, most, mean, square }
+    }
+
+    /// The least and the most that a multiple of the error is.
+    fn reach(&self, factor: f64) -> [f64; 2] {
+        let ends = [factor * self.least, factor * self.most];
+        [ends[0].min(ends[1]), ends[0].max(ends[1])]
+    }
 }

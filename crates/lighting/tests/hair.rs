@@ -32,7 +32,7 @@ fn along_the_hair_only_the_ambient_is_left() {
 }
 
 #[test]
-fn exponent_zero_is_exactly_the_sum() {
+fn hair_lighting_of_exponent_zero_is_exactly_the_sum() {
     let l = lighting(0.0, 0.0);
     for c in [-1.0, -0.3, 0.0, 0.999_999, 1.0, 1.1] {
         assert_eq!(l.evaluate(c, c), l.ambient + l.diffuse + l.specular);
@@ -40,7 +40,7 @@ fn exponent_zero_is_exactly_the_sum() {
 }
 
 #[test]
-fn exponents_from_one_to_1e30_stay_finite_and_in_range() {
+fn hair_lighting_of_exponents_from_one_to_1e30_stay_finite_and_in_range() {
     for power in [1.0, 1e4, 1e30, f64::MAX] {
         let l = lighting(power, power);
         for c in [-1.0, -0.5, -1e-20, 0.0, 1e-12, 0.5, 1.0] {
@@ -58,7 +58,7 @@ fn a_power_under_zero_counts_as_zero() {
 }
 
 #[test]
-fn f32_unit_vectors_beyond_one_are_clamped() {
+fn hair_lighting_of_f32_unit_vectors_beyond_one_are_clamped() {
     // Rounded to f32 and back, many unit vectors have t·t > 1.
     let mut beyond = 0;
     for i in 0..1000 {
@@ -73,7 +73,7 @@ fn f32_unit_vectors_beyond_one_are_clamped() {
 }
 
 #[test]
-fn a_million_samples_are_finite_and_in_range() {
+fn hair_lighting_of_a_million_samples_is_finite_and_in_range() {
     let l = lighting(4.8, 64.0);
     let most = l.ambient + l.diffuse + l.specular + DVec3::splat(1e-12);
     for i in 0..1_000_000_u32 {
