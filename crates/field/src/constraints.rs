@@ -1,10 +1,9 @@
 //! A few directions, blended over the surface.
 
 use glam::DVec3;
-use pelage_mesh::{Mesh, Vertex, VertexId, unit};
+use pelage_mesh::{Geodesics, Mesh, Vertex, VertexId, unit};
 
 use crate::FieldError;
-use crate::distance::Network;
 use crate::point::{self, PointConstraint, Spread};
 
 /// A direction wanted at a place.
@@ -30,20 +29,25 @@ pub(crate) struct Constraints<'a> {
 }
 
 impl Constraints<'_> {
-    /// The mean of the constraints' directions at each vertex, weighted by Gaussians over shortest paths; at most 1 long.
+    /// The mean of the constraints' directions at each vertex, weighted by Gaussians of the distance along the surface; at most 1 long.
     ///
     /// Where constraints contradict each other some of `tie_break` is added, so that between opposite ones the field turns by one side
     /// throughout: else rounding would choose the side anew at each edge, and leave a row of singularities.
     pub(crate) fn blend(&self, mesh: &Mesh, normals: &[DVec3], tie_break: DVec3) -> Vec<DVec3> {
-        let network = Network::new(mesh);
-        let points: Vec<Spread> = self.points.iter().filter_map(|point| Spread::of(point, mesh, normals)).collect();
+        let diameter = mesh.diameter();
+        let mut geodesics = Geodesics::on(mesh);
+        let points: Vec<Spread> = self.points.iter().filter_map(|point| Spread::of(point, mesh, normals, &mut geodesics)).collect();
         let gaps: Vec<Gaps> = mesh.vertices().map(|vertex| self.gaps(&points, vertex.id())).collect();
         let mut blends = vec![Blend::default(); mesh.positions().len()];
         for (constraint, &direction) in self.vectors.iter().zip(self.directions) {
             let Some(source) = nearest_vertex(mesh, constraint.at) else { continue };
-            network.walk([source], |vertex, distance| {
-                blends[vertex.index()].add(self.exponent(distance) + gaps[vertex.index()].all(), direction);
-            });
+            // The source is a vertex of the mesh, so that there is a distance.
+            let Ok(distances) = geodesics.distances(&[source.into()], f64::INFINITY) else { continue };
+            for &(vertex, distance) in distances.nearest_first() {
+                // All in one place: everything is near everything.
+                let exponent = self.exponent(if diameter > 0.0 { distance / diameter } else { 0.0 });
+                blends[vertex.index()].add(exponent + gaps[vertex.index()].all(), direction);
+            }
         }
         for (k, blend) in blends.iter_mut().enumerate() {
             for point in &points {

@@ -46,7 +46,7 @@ impl DirectionField {
     /// A few directions at places on the surface, and a few places that the fur lies about, spread over it (L2, L25; Praun, Finkelstein and
     /// Hoppe 2000, section 4).
     ///
-    /// At each vertex the constraints' unit vectors are averaged, each with a Gaussian of its distance: the shortest path along edges from the
+    /// At each vertex the constraints' unit vectors are averaged, each with a Gaussian of its distance along the surface from the
     /// vertex nearest to the constraint's place. `radius` is the Gaussians' standard deviation, as a fraction of the model's diameter, 0.001 to
     /// 100: under the distance between constraints each rules its own surroundings, above it all are blended everywhere. The Gaussians are
     /// divided by the greatest of them, so that no place is too far to be ruled by its nearest constraint. The mean is projected to the
@@ -58,7 +58,7 @@ impl DirectionField {
     /// both be had. What further singularities the surface asks for (indices add up to its χ) lie where the field is led to them.
     ///
     /// A piece of surface that holds no constraint follows the mean of all the vectors, or the first one if they cancel, as
-    /// [`DirectionField::toward`] does; without vectors, the coordinate axis of which most lies in it. Time is that of a Dijkstra walk for each
+    /// [`DirectionField::toward`] does; without vectors, the coordinate axis of which most lies in it. Time is that of one [`Geodesics::distances`](pelage_mesh::Geodesics::distances) for each
     /// constraint, memory one number and one vector a vertex for each point.
     ///
     /// # Errors

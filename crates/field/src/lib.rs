@@ -37,7 +37,6 @@ mod colour;
 mod completion;
 mod constraints;
 mod direction;
-mod distance;
 mod error;
 mod fan;
 mod image;

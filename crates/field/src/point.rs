@@ -1,7 +1,7 @@
 //! Places that the fur runs away from, towards or around.
 
 use glam::DVec3;
-use pelage_mesh::{Face, Mesh, Vertex, unit};
+use pelage_mesh::{Face, Geodesics, Mesh, Vertex, unit};
 
 use crate::FieldError;
 use crate::completion::neighbour_sum;
@@ -42,10 +42,10 @@ pub(crate) struct Spread {
 
 impl Spread {
     /// None on a mesh without area.
-    pub(crate) fn of(constraint: &PointConstraint, mesh: &Mesh, normals: &[DVec3]) -> Option<Self> {
+    pub(crate) fn of(constraint: &PointConstraint, mesh: &Mesh, normals: &[DVec3], geodesics: &mut Geodesics<'_>) -> Option<Self> {
         let face = nearest_face(mesh, constraint.at)?;
         let law = Law::new(constraint.flow, face);
-        let seen = seen_from(face, normals);
+        let seen = seen_from(face, normals, geodesics);
         let mut distances: Vec<f64> = seen.iter().map(|seen| seen.map_or(f64::INFINITY, |seen| seen.distance)).collect();
         let corners = face.vertices();
         // There the point rules alone, however coarse the mesh is.

@@ -1,18 +1,16 @@
 //! Geodesic polar coordinates about a place (Melvær and Reimers 2012).
 
-use std::cmp::Reverse;
-use std::collections::BinaryHeap;
 use std::f64::consts::TAU;
 
 use glam::{DVec2, DVec3};
-use pelage_mesh::{Face, HalfEdge, Mesh, Vertex, VertexId, unit};
+use pelage_mesh::{Face, Geodesics, HalfEdge, Mesh, SurfacePoint, Vertex, VertexId, unit};
 
 use crate::completion::any_tangent;
 use crate::fan::away_from_face;
 use crate::transport::{tangent_part, transport};
 
-/// A way that is not shorter by this part is no shorter way: it keeps those that are equal but for rounding from replacing each other.
-const SHORTER: f64 = 1e-9;
+/// A way that passes a side's end by less than this part of the side still crosses it.
+const GRAZING: f64 = 1e-9;
 
 /// A vertex as seen from the place.
 #[derive(Clone, Copy)]
@@ -25,45 +23,41 @@ pub(crate) struct Seen {
     pub(crate) away: DVec3,
 }
 
-/// A vertex may be looked on from anew when a shorter way to it is found over a face whose third corner lies farther; so often at most, so that the
-/// march ends after *F* log *F* steps whatever the mesh.
-const MOST_PASSES: u8 = 8;
-
 /// How each vertex is seen from the middle of a face with area; none where no path leads, or a vertex has no normal.
 ///
-/// The front is marched outwards as in Dijkstra's algorithm. Over a face two corners of which have been passed, the place is laid out flat beside
-/// it, by their distances, so that a plane is seen exactly; the angle is interpolated between theirs.
-pub(crate) fn seen_from(face: Face<'_, Mesh>, normals: &[DVec3]) -> Vec<Option<Seen>> {
+/// Nearest first, each vertex is seen over the face that gives the shortest way to it: the place is laid out flat beside the face, by the distances of the other
+/// two corners, so that a plane is seen exactly; the angle is interpolated between theirs.
+pub(crate) fn seen_from(face: Face<'_, Mesh>, normals: &[DVec3], geodesics: &mut Geodesics<'_>) -> Vec<Option<Seen>> {
     let mesh = face.surface();
-    let count = mesh.positions().len();
-    let diameter = mesh.diameter();
-    let mut march = March { normals, diameter, seen: vec![None; count], passes: vec![0; count], queue: BinaryHeap::new() };
-    march.start(face);
-    while let Some(Reverse((key, vertex))) = march.queue.pop() {
-        let vertex = mesh.vertex(VertexId(vertex));
-        let current = march.seen[vertex.index()].is_some_and(|seen| rounded(seen.distance) == key);
-        if current && march.passes[vertex.index()] < MOST_PASSES {
-            march.passes[vertex.index()] += 1;
-            march.pass(vertex);
+    let middle = SurfacePoint { face: face.id(), barycentrics: incentre(face) };
+    let mut view = View { normals, diameter: mesh.diameter(), distances: Vec::new(), seen: vec![None; mesh.positions().len()] };
+    // The source is on the mesh, so that there is a distance; else nothing is seen.
+    let Ok(distances) = geodesics.distances(&[middle.into()], f64::INFINITY) else { return view.seen };
+    view.distances = distances.to_vec(mesh.positions().len());
+    view.distances.iter_mut().for_each(|distance| *distance /= view.diameter);
+    view.start(face, middle.position(mesh));
+    let mut order: Vec<VertexId> = distances.nearest_first().iter().map(|&(vertex, _)| vertex).collect();
+    order.sort_by_key(|vertex| (rounded(view.distances[vertex.index()]), *vertex));
+    for vertex in order {
+        if view.seen[vertex.index()].is_none() {
+            view.seen[vertex.index()] = view.look_at(mesh.vertex(vertex));
         }
     }
-    march.seen
+    view.seen
 }
 
-struct March<'a> {
+struct View<'a> {
     normals: &'a [DVec3],
     diameter: f64,
+    /// In diameters.
+    distances: Vec<f64>,
     seen: Vec<Option<Seen>>,
-    /// How often each vertex was looked on from.
-    passes: Vec<u8>,
-    /// Nearer first, by [`rounded`] distance, then lower number.
-    queue: BinaryHeap<Reverse<(u64, u32)>>,
 }
 
-impl March<'_> {
-    /// Reaches the corners of the place's own face.
-    fn start(&mut self, face: Face<'_, Mesh>) {
-        let (normal, axis, middle) = (face.normal(), first_axis(face), incentre(face));
+impl View<'_> {
+    /// The corners of the place's own face.
+    fn start(&mut self, face: Face<'_, Mesh>, middle: DVec3) {
+        let (normal, axis) = (face.normal(), first_axis(face));
         for half_edge in face.half_edges() {
             let vertex = half_edge.origin();
             let offset = (vertex.position() - middle) / self.diameter;
@@ -71,64 +65,60 @@ impl March<'_> {
             // In the angles by which singularities are found, so that this face holds one whatever its shape.
             let away = away_from_face(half_edge, here, any_tangent(here));
             let angle = libm::atan2(offset.dot(normal.cross(axis)), offset.dot(axis));
-            self.reach(vertex, Seen { distance: offset.length(), angle, away });
+            self.seen[vertex.index()] = Some(Seen { distance: offset.length(), angle, away });
         }
     }
 
-    fn reach(&mut self, vertex: Vertex<'_, Mesh>, seen: Seen) {
-        let shorter = self.seen[vertex.index()].is_none_or(|before| seen.distance < before.distance * (1.0 - SHORTER));
-        if shorter && seen.away != DVec3::ZERO {
-            self.seen[vertex.index()] = Some(seen);
-            self.queue.push(Reverse((rounded(seen.distance), vertex.id().0)));
-        }
+    /// Over the face that gives the shortest way, or along the edge from the nearest neighbour where no straight way crosses a face.
+    fn look_at(&self, vertex: Vertex<'_, Mesh>) -> Option<Seen> {
+        let over = vertex.link().filter_map(|side| self.over_face(side));
+        let along = || vertex.neighbours().filter_map(|neighbour| self.along_edge(neighbour, vertex));
+        let nearest = over.min_by_key(|seen| rounded(seen.distance)).or_else(|| along().min_by_key(|seen| rounded(seen.distance)))?;
+        (nearest.away != DVec3::ZERO).then_some(Seen { distance: self.distances[vertex.index()], ..nearest })
     }
 
-    /// Looks from a vertex at the other two corners of each of its faces.
-    fn pass(&mut self, vertex: Vertex<'_, Mesh>) {
-        for leaving in vertex.leaving() {
-            for corner in [leaving.next(), leaving.previous()] {
-                self.look(vertex, corner);
-            }
-        }
-    }
-
-    /// At the origin of a half-edge: over its face if the third corner was passed too, else along the edge from `vertex`.
-    fn look(&mut self, vertex: Vertex<'_, Mesh>, corner: HalfEdge<'_, Mesh>) {
-        let passed = |v: Vertex<'_, Mesh>| self.seen[v.index()].filter(|_| self.passes[v.index()] > 0);
-        let side = corner.next();
-        let over = passed(side.origin()).zip(passed(side.tip())).and_then(|(one, two)| self.over_face(side, one, two));
-        let seen = over.or_else(|| passed(vertex).map(|near| self.along_edge(vertex, corner.origin(), near)));
-        if let Some(seen) = seen {
-            self.reach(corner.origin(), seen);
-        }
-    }
-
-    /// How the corner opposite a side is seen over their face, the side's ends being seen as `one` and `two`; none where the straight way
-    /// from the place does not cross the side.
-    fn over_face(&self, side: HalfEdge<'_, Mesh>, one: Seen, two: Seen) -> Option<Seen> {
+    /// How the corner opposite a side is seen over their face; none where the straight way from the place does not cross the side.
+    fn over_face(&self, side: HalfEdge<'_, Mesh>) -> Option<Seen> {
+        let [one, two] = [side.origin(), side.tip()].map(|end| self.distances[end.index()]);
         let along = side.vector() / self.diameter;
         let (length, x, normal) = (along.length(), unit(along), side.face().normal());
         let y = normal.cross(x);
-        let place = laid_out(length, one.distance, two.distance)?;
+        let place = laid_out(length, one, two)?;
         let arm = (side.apex().position() - side.origin().position()) / self.diameter;
         let way = DVec2::new(arm.dot(x), arm.dot(y)) - place;
         let crossing = place.x - way.x * place.y / way.y;
-        if !(0.0..=length).contains(&crossing) {
+        // A way through a corner of the side crosses it, whatever rounding says.
+        if !(-GRAZING * length..=(1.0 + GRAZING) * length).contains(&crossing) {
             return None;
         }
-        let turned = |to: DVec2| libm::atan2((-place).perp_dot(to), (-place).dot(to));
-        let part = turned(way) / turned(DVec2::new(length, 0.0) - place);
-        let difference = two.angle - one.angle;
-        let angle = one.angle + part.clamp(0.0, 1.0) * (difference - TAU * (difference / TAU).round());
         let here = self.normals[side.apex().index()];
         let away = transport(unit(way.x * x + way.y * y), normal, here);
-        Some(Seen { distance: way.length(), angle, away: unit(tangent_part(away, here)) })
+        Some(Seen { distance: way.length(), angle: self.angle(side, place, length, way)?, away: unit(tangent_part(away, here)) })
     }
 
-    fn along_edge(&self, from: Vertex<'_, Mesh>, to: Vertex<'_, Mesh>, near: Seen) -> Seen {
+    /// The angle of a way from the place over a side: in proportion between those of its ends, or, where one end is farther than the corner
+    /// and not seen yet, as far from the other as it is in the layout.
+    fn angle(&self, side: HalfEdge<'_, Mesh>, place: DVec2, length: f64, way: DVec2) -> Option<f64> {
+        let between = |a: DVec2, b: DVec2| libm::atan2(a.perp_dot(b), a.dot(b));
+        let (to_one, to_two) = (-place, DVec2::new(length, 0.0) - place);
+        let [one, two] = [side.origin(), side.tip()].map(|end| self.seen[end.index()].map(|seen| seen.angle));
+        match (one, two) {
+            (Some(one), Some(two)) => {
+                let part = between(to_one, way) / between(to_one, to_two);
+                let difference = two - one;
+                Some(one + part.clamp(0.0, 1.0) * (difference - TAU * (difference / TAU).round()))
+            }
+            (Some(one), None) => Some(one + between(to_one, way)),
+            (None, Some(two)) => Some(two + between(to_two, way)),
+            (None, None) => None,
+        }
+    }
+
+    fn along_edge(&self, from: Vertex<'_, Mesh>, to: Vertex<'_, Mesh>) -> Option<Seen> {
+        let near = self.seen[from.index()]?;
         let edge = (to.position() - from.position()) / self.diameter;
         let away = unit(tangent_part(unit(edge), self.normals[to.index()]));
-        Seen { distance: near.distance + edge.length(), away, ..near }
+        Some(Seen { distance: near.distance + edge.length(), away, ..near })
     }
 }
 
@@ -145,16 +135,15 @@ fn laid_out(length: f64, from_start: f64, from_end: f64) -> Option<DVec2> {
     (below > 0.0).then(|| DVec2::new(along, -below.sqrt()))
 }
 
-/// Where a face's bisectors meet: seen from there, no two corners are nearer to opposite than the face's angles make them.
+/// Where a face's bisectors meet, in barycentric coordinates: seen from there, no two corners are nearer to opposite than the face's angles make them.
 fn incentre(face: Face<'_, Mesh>) -> DVec3 {
-    let across = [1, 2, 0].map(|k| face.half_edges()[k].length());
-    let longest = across.into_iter().fold(f64::MIN_POSITIVE, f64::max);
-    let weights = across.map(|length| length / longest);
-    let sum: DVec3 = weights.iter().zip(face.positions()).map(|(&weight, corner)| weight * corner).sum();
-    sum / weights.iter().sum::<f64>()
+    let across = DVec3::from([1, 2, 0].map(|k| face.half_edges()[k].length()));
+    // Divided first, as the lengths' sum may leave the range of f64.
+    let weights = across / across.max_element();
+    weights / weights.element_sum()
 }
 
-/// A distance as a whole number, so that those which are equal but for rounding tie, and the vertices' numbers decide: else a regular model
+/// A distance as a whole number, so that those which are equal but for rounding tie, and their order decides: else a regular model
 /// would have another field when scaled. The offset keeps round distances off the steps between numbers.
 fn rounded(distance: f64) -> u64 {
     (distance * f64::from(1 << 30) + 0.371_943) as u64
