@@ -117,6 +117,9 @@ fn patches(mesh: &Mesh, tiling: &PatchTiling, directions: Option<&DirectionField
     if let Some(degrees) = quality.misalignment_deg_mean {
         patches["misalignment_deg_mean"] = json!(degrees);
     }
+    if let Some(degrees) = quality.misalignment_deg_mean_far {
+        patches["misalignment_deg_mean_far"] = json!(degrees);
+    }
     patches
 }
 

@@ -1,8 +1,8 @@
 //! What a tiling is worth, measured from the tiling itself.
 
-use glam::DVec2;
-use pelage_field::DirectionField;
-use pelage_mesh::{Face, Mesh};
+use glam::{DVec2, DVec3};
+use pelage_field::{DirectionField, Singularity, singularities};
+use pelage_mesh::{Face, Geodesics, Mesh, Source, SurfacePoint};
 
 use crate::connectivity::is_disc;
 use crate::distortion::Jacobian;
@@ -39,6 +39,9 @@ pub struct Quality {
     /// Mean over the area of the angle, in degrees, between the field and the hair: the tile's t axis pulled back into the face. `None`
     /// without a field.
     pub misalignment_deg_mean: Option<f64>,
+    /// The same mean over the faces whose corners are all more than one tile, along the surface, from the middle of every face that holds a singularity
+    /// of the field: nearer the field turns within a tile, and no patch can follow. 0 where no face is that far; `None` without a field.
+    pub misalignment_deg_mean_far: Option<f64>,
     /// The greatest such angle of any face, in degrees.
     pub misalignment_deg_max: Option<f64>,
     /// Length of the edges between patches, in diameters of the model.
@@ -54,7 +57,7 @@ pub struct Quality {
 impl PatchTiling {
     /// Measures the tiling on the mesh that it was made from; `directions` is the field that it should follow, if any.
     ///
-    /// Cost: linear, but for sorting the faces by stretch. A mesh or field with other counts than the tiling was made from is measured as
+    /// Cost: linear, but for sorting the faces by stretch; with a field its singularities are found too. A mesh or field with other counts than the tiling was made from is measured as
     /// far as it goes: faces that it does not have count as not covered.
     pub fn quality(&self, mesh: &Mesh, directions: Option<&DirectionField>) -> Quality {
         let directions = directions.filter(|d| d.vectors().len() == mesh.topology().vertex_count());
@@ -81,6 +84,7 @@ impl PatchTiling {
             stretch_p99: percentile(&distortion.stretch, 0.99),
             stretch_max: percentile(&distortion.stretch, 1.0),
             misalignment_deg_mean: directions.map(|_| distortion.mean_misalignment),
+            misalignment_deg_mean_far: directions.map(|field| self.mean_misalignment_far(mesh, field, &shapes, &rows)),
             misalignment_deg_max: directions.map(|_| distortion.max_misalignment),
             seam_length: ratio(seam, mesh.diameter()),
             seam_fraction: ratio(seam, total),
@@ -105,6 +109,20 @@ impl PatchTiling {
         let direction = direction_in_layout(mesh, directions, face, self.tile_side())?;
         let cosine = Jacobian::new(shape, self.places(row)).alignment(direction);
         Some(cosine.clamp(-1.0, 1.0).acos().to_degrees())
+    }
+
+    /// In degrees, over the area that is more than a tile from the field's singularities.
+    fn mean_misalignment_far(&self, mesh: &Mesh, directions: &DirectionField, shapes: &[FaceShape], rows: &[usize]) -> f64 {
+        let near = near_singularities(mesh, directions, self.tile_side());
+        let far = rows.iter().filter(|&&row| !near[self.surface_faces()[row].index()]);
+        let (mut sum, mut area) = (0.0, 0.0);
+        for &row in far {
+            if let Some(degrees) = self.misalignment_of(mesh, directions, shapes, row) {
+                let weight = shapes[self.surface_faces()[row].index()].area();
+                (sum, area) = (sum + weight * degrees, area + weight);
+            }
+        }
+        ratio(sum, area)
     }
 
     fn places(&self, row: usize) -> [DVec2; 3] {
@@ -139,6 +157,21 @@ impl PatchTiling {
             (if parts { seam + length } else { seam }, total + length)
         })
     }
+}
+
+/// The faces that hold a singularity of the field, and those a corner of which lies within `reach`, in model units, of the middle of one that does.
+fn near_singularities(mesh: &Mesh, directions: &DirectionField, reach: f64) -> Vec<bool> {
+    let found = singularities(mesh, directions).unwrap_or_default();
+    let middle = |s: &Singularity| Source::Point(SurfacePoint { face: s.face, barycentrics: DVec3::splat(1.0 / 3.0) });
+    let sources: Vec<Source> = found.iter().map(middle).collect();
+    let mut close = vec![false; mesh.positions().len()];
+    // Sources on the mesh and a reach that is a length have distances.
+    if let Ok(distances) = Geodesics::on(mesh).distances(&sources, reach) {
+        distances.nearest_first().iter().for_each(|(vertex, _)| close[vertex.index()] = true);
+    }
+    let mut near: Vec<bool> = mesh.faces().map(|face| face.vertices().iter().any(|v| close[v.index()])).collect();
+    found.iter().for_each(|s| near[s.face.index()] = true);
+    near
 }
 
 struct Distortion {
