@@ -3,8 +3,7 @@
 //! Besides the table of `divan`, each size prints the ratio of medians, measured turn and turn about, since machines drift.
 #![allow(clippy::print_stdout, clippy::unwrap_used, reason = "a benchmark prints, and its input is its own")]
 
-use std::hint::black_box;
-use std::time::{Duration, Instant};
+mod common;
 
 use pelage_mesh::{Mesh, Topology, torus};
 use rand::SeedableRng;
@@ -45,38 +44,26 @@ impl Input {
 fn main() {
     println!("half-edges from an index list, against one sort of the same keys (medians, ns a face)");
     for (name, make) in [("in order", Input::torus as fn(_) -> _), ("shuffled", Input::shuffled)] {
-        for size in SIZES {
-            print_ratio(name, &make(size));
-        }
+        let times = SIZES.map(|size| print_ratio(name, &make(size)));
+        println!("            {name}: a face of the largest takes {:.2} times as long as one of the least", times[2] / times[0]);
     }
     println!();
     divan::main();
 }
 
-fn print_ratio(name: &str, input: &Input) {
+/// Prints the figures of one input; gives the time of a face.
+fn print_ratio(name: &str, input: &Input) -> f64 {
     let keys = input.keys();
-    let rounds = (3_000_000 / input.triangles.len()).clamp(7, 301);
-    let (mut build, mut sort) = (Vec::new(), Vec::new());
-    for _ in 0..rounds {
-        build.push(time(|| input.build()));
-        let mut keys = keys.clone();
-        sort.push(time(|| {
-            keys.sort_unstable();
-            keys.last().copied()
-        }));
-    }
     let faces = input.triangles.len();
-    let [build, sort] = [build, sort].map(|mut times| {
-        times.sort_unstable();
-        times[times.len() / 2].as_secs_f64() * 1e9 / faces as f64
-    });
+    let rounds = (3_000_000 / faces).clamp(7, 301);
+    let mut sorted = keys.clone();
+    let sort = || {
+        sorted.copy_from_slice(&keys);
+        sorted.sort_unstable();
+    };
+    let [build, sort] = common::medians(rounds, faces, || input.build(), sort);
     println!("  {faces:>9} faces {name}: {build:6.1}, sort {sort:6.1}, ratio {:.2}", build / sort);
-}
-
-fn time<T>(work: impl FnOnce() -> T) -> Duration {
-    let start = Instant::now();
-    black_box(work());
-    start.elapsed()
+    build
 }
 
 #[divan::bench(args = SIZES)]
@@ -99,16 +86,4 @@ fn sorted_keys(bencher: divan::Bencher<'_, '_>, size: (u32, u32)) {
 fn vertex_normals(bencher: divan::Bencher<'_, '_>, (major, minor): (u32, u32)) {
     let mesh: Mesh = torus(1.0, 0.4, major, minor).unwrap();
     bencher.counter(divan::counter::ItemsCount::new(mesh.topology().face_count())).bench(|| mesh.vertex_normals());
-}
-
-#[divan::bench]
-fn parse_obj(bencher: divan::Bencher<'_, '_>) {
-    let text = obj_text(&torus(1.0, 0.4, 250, 200).unwrap());
-    bencher.counter(divan::counter::ItemsCount::new(100_000_usize)).bench(|| pelage_mesh::parse_obj(text.as_bytes()).unwrap());
-}
-
-fn obj_text(mesh: &Mesh) -> String {
-    let positions = mesh.positions().iter().map(|p| format!("v {:.6} {:.6} {:.6}\n", p.x, p.y, p.z));
-    let faces = mesh.topology().triangles().map(|[a, b, c]| format!("f {} {} {}\n", a + 1, b + 1, c + 1));
-    positions.chain(faces).collect()
 }

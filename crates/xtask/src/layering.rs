@@ -70,10 +70,11 @@ const LAWS: &[Law] = &[
     law("crates/xtask", &[]),
     law("editor", &["nodes", "graph", "render", "coat", "mesh"]),
     Law { folder: "tests", knows: &[], tests: Tests::All },
+    Law { folder: "tests/fuzz", knows: &[], tests: Tests::All },
 ];
 
 /// Above all the others: nobody's tests may reach up to them.
-const TOP: &[&str] = &["nodes", "cli", "xtask", "editor", "tests"];
+const TOP: &[&str] = &["nodes", "cli", "xtask", "editor", "tests", "fuzz"];
 
 /// The only crates under `crates/` that may name wgpu.
 const MAY_DRAW: &[&str] = &["crates/render", "crates/dynamics-gpu"];

@@ -71,6 +71,7 @@ impl StepName {
                 cargo("clippy --workspace --all-targets --features pelage-xtask/checks --locked -- -D warnings").run()?;
                 cargo("clippy --package pelage-nodes --no-default-features --all-targets --locked -- -D warnings").run()?;
                 cargo("clippy --package pelage-xtask --all-targets --locked -- -D warnings").run()?;
+                cargo("clippy --package pelage-fuzz --all-targets --features libfuzzer --locked -- -D warnings").run()?;
             }
             Self::Docs => cargo("doc --workspace --no-deps --locked").with_variable("RUSTDOCFLAGS", "-D warnings").run()?,
             Self::Book => book::verify(place)?,

@@ -16,11 +16,18 @@ pub(super) struct Statement<'a> {
 impl<'a> Statement<'a> {
     /// Its words up to a comment: what stands between blanks, and backslashes at the end of lines.
     pub(super) fn words(self) -> impl Iterator<Item = &'a [u8]> {
-        let end = self.bytes.iter().position(|&byte| byte == b'#').unwrap_or(self.bytes.len());
         // A statement of several lines is split at backslashes too: they end its lines, and belong to no number.
         let joined = self.height > 1;
         let is_gap = move |byte: &u8| byte.is_ascii_whitespace() || (joined && *byte == b'\\');
-        self.bytes[..end].split(is_gap).filter(|word| !word.is_empty())
+        let mut rest = self.bytes;
+        std::iter::from_fn(move || {
+            let start = rest.iter().position(|byte| !is_gap(byte))?;
+            let word = &rest[start..];
+            let length = word.iter().position(|byte| is_gap(byte) || *byte == b'#').unwrap_or(word.len());
+            // At a comment there is no word left.
+            rest = word.get(length..).filter(|rest| !rest.starts_with(b"#")).unwrap_or_default();
+            (length > 0).then_some(&word[..length])
+        })
     }
 }
 

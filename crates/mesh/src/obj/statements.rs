@@ -11,10 +11,15 @@ const PASSED_OVER: [&[u8]; 10] = [b"vn", b"o", b"g", b"s", b"usemtl", b"mtllib",
 /// What the file holds, gone through once.
 pub(super) struct Statements<'a> {
     kept: Vec<(Keyword, Statement<'a>)>,
+    bytes: usize,
     vertices: usize,
     coordinates: usize,
     faces: usize,
     corners_without_coordinates: usize,
+    corners_with_coordinates: usize,
+    /// The greatest indices that faces name, and whether one counts back to before the file.
+    greatest: [i64; 2],
+    before_the_file: bool,
     unknown: Option<Note>,
 }
 
@@ -28,7 +33,18 @@ enum Keyword {
 
 impl<'a> Statements<'a> {
     pub(super) fn scan(bytes: &'a [u8]) -> Result<Self, ObjError> {
-        let mut found = Self { kept: Vec::new(), vertices: 0, coordinates: 0, faces: 0, corners_without_coordinates: 0, unknown: None };
+        let mut found = Self {
+            kept: Vec::new(),
+            bytes: bytes.len(),
+            vertices: 0,
+            coordinates: 0,
+            faces: 0,
+            corners_without_coordinates: 0,
+            corners_with_coordinates: 0,
+            greatest: [0; 2],
+            before_the_file: false,
+            unknown: None,
+        };
         for statement in statements(bytes)? {
             let mut words = statement.words();
             let keyword = match words.next() {
@@ -64,12 +80,20 @@ impl<'a> Statements<'a> {
             Keyword::Face => {
                 self.faces += 1;
                 for word in words {
-                    let corner = Corner::parse(word)?;
-                    self.corners_without_coordinates += usize::from(corner.coordinates.is_none());
+                    self.look_at_corner(&Corner::parse(word)?);
                 }
                 Ok(())
             }
         }
+    }
+
+    fn look_at_corner(&mut self, corner: &Corner) {
+        let coordinates = corner.coordinates.unwrap_or(1);
+        self.corners_without_coordinates += usize::from(corner.coordinates.is_none());
+        self.corners_with_coordinates += usize::from(corner.coordinates.is_some());
+        self.greatest = [self.greatest[0].max(corner.vertex), self.greatest[1].max(corner.coordinates.unwrap_or(0))];
+        let is_before = |index: i64, so_far: usize| index == 0 || (index < 0 && !is_inside(index, 0, so_far));
+        self.before_the_file |= is_before(corner.vertex, self.vertices) || is_before(coordinates, self.coordinates);
     }
 
     fn pass_over(&mut self, keyword: &[u8], line: usize) {
@@ -90,17 +114,12 @@ impl<'a> Statements<'a> {
     /// What was left out.
     pub(super) fn notes(&self) -> Vec<Note> {
         let corners = self.corners_without_coordinates;
-        let left_out = match (self.coordinates, self.names_coordinates()) {
-            (0, true) => Some(Note::NoTextureCoordinates),
+        let left_out = match (self.coordinates, self.corners_with_coordinates) {
+            (0, 1..) => Some(Note::NoTextureCoordinates),
             (1.., _) if corners > 0 => Some(Note::CornersWithoutTextureCoordinates { corners }),
             _ => None,
         };
         left_out.into_iter().chain(self.unknown.clone()).collect()
-    }
-
-    fn names_coordinates(&self) -> bool {
-        let faces = self.kept.iter().filter(|(keyword, _)| *keyword == Keyword::Face);
-        faces.flat_map(|(_, face)| corners(*face)).any(|corner| corner.coordinates.is_some())
     }
 
     /// How many faces the file has.
@@ -111,7 +130,8 @@ impl<'a> Statements<'a> {
     /// What `tobj` is to read: a polygon through all vertices, so that it numbers them in their order, then every line with what it is to know
     /// of it: each one line further down than in the file.
     pub(super) fn text(&self) -> std::io::Result<Vec<u8>> {
-        let mut text = Vec::new();
+        let have_coordinates = self.have_coordinates();
+        let mut text = Vec::with_capacity(self.bytes);
         text.push(b'f');
         for vertex in 1..=self.vertices {
             write!(text, " {vertex}")?;
@@ -123,24 +143,13 @@ impl<'a> Statements<'a> {
             line = statement.line + 1;
             match keyword {
                 Keyword::Vertex => put_words(&mut text, statement, 4),
-                Keyword::Coordinates if self.have_coordinates() => put_words(&mut text, statement, 3),
+                Keyword::Coordinates if have_coordinates => put_words(&mut text, statement, 3),
                 Keyword::Coordinates => {}
-                Keyword::Face => self.put_face(&mut text, statement)?,
+                Keyword::Face => put_face(&mut text, statement, have_coordinates),
             }
             text.push(b'\n');
         }
         Ok(text)
-    }
-
-    fn put_face(&self, text: &mut Vec<u8>, face: Statement<'_>) -> std::io::Result<()> {
-        text.push(b'f');
-        for corner in corners(face) {
-            match corner.coordinates.filter(|_| self.have_coordinates()) {
-                Some(coordinates) => write!(text, " {}/{coordinates}", corner.vertex)?,
-                None => write!(text, " {}", corner.vertex)?,
-            }
-        }
-        Ok(())
     }
 
     /// The line of every face.
@@ -169,6 +178,10 @@ impl<'a> Statements<'a> {
 
     /// The first index that leads nowhere. `tobj` takes some for none, and does not say where the others are.
     fn index_out_of_range(&self) -> Option<ObjError> {
+        let [vertex, coordinates] = self.greatest;
+        if !self.before_the_file && vertex <= self.vertices as i64 && coordinates <= self.coordinates as i64 {
+            return None;
+        }
         let (mut vertices, mut coordinates) = (0, 0);
         self.kept.iter().find_map(|&(keyword, statement)| {
             match keyword {
@@ -244,6 +257,20 @@ fn put_words(text: &mut Vec<u8>, statement: Statement<'_>, count: usize) {
     for word in statement.words().take(count) {
         text.extend_from_slice(word);
         text.push(b' ');
+    }
+}
+
+/// The corners of a face, as far as they are to be known.
+fn put_face(text: &mut Vec<u8>, face: Statement<'_>, have_coordinates: bool) {
+    text.push(b'f');
+    for corner in face.words().skip(1) {
+        let mut indices = corner.split(|&byte| byte == b'/');
+        text.push(b' ');
+        text.extend_from_slice(indices.next().unwrap_or_default());
+        if let Some(coordinates) = indices.next().filter(|_| have_coordinates) {
+            text.push(b'/');
+            text.extend_from_slice(coordinates);
+        }
     }
 }
 

@@ -6,16 +6,18 @@ use super::faces::Faces;
 ///
 /// A sheet given once for each of its sides becomes one sheet: with both, each of its edges would have four faces.
 pub(super) fn drop_duplicates(faces: &mut Faces) -> usize {
-    let mut named: Vec<([u32; 3], u32)> = faces.corners.iter().zip(0..).map(|(&corners, face)| (sorted(corners), face)).collect();
+    let mut named: Vec<u128> = faces.corners.iter().zip(0..).map(|(&corners, face)| name(corners, face)).collect();
     named.sort_unstable();
     let mut again = vec![false; faces.len()];
     for pair in named.windows(2) {
-        again[pair[1].1 as usize] = pair[0].0 == pair[1].0;
+        again[pair[1] as u32 as usize] = pair[0] >> 32 == pair[1] >> 32;
     }
     faces.retain(|face| !again[face])
 }
 
-fn sorted(mut corners: [u32; 3]) -> [u32; 3] {
+/// The corners in rising order, and the number of the face in the lowest 32 bits.
+fn name(mut corners: [u32; 3], face: u32) -> u128 {
     corners.sort_unstable();
-    corners
+    let [a, b, c] = corners.map(u128::from);
+    a << 96 | b << 64 | c << 32 | u128::from(face)
 }

@@ -22,8 +22,22 @@ pub(super) struct Mates {
     pub(super) edges_split: usize,
 }
 
-/// An edge with its half-edges: the lower and the higher end, and the number of one half-edge.
-type Entry = (u32, u32, u32);
+/// A half-edge under its edge: the lower end, the higher end, and its own number.
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+pub(super) struct Entry {
+    edge: u64,
+    pub(super) half_edge: u32,
+}
+
+impl Entry {
+    fn lower(self) -> u32 {
+        (self.edge >> 32) as u32
+    }
+
+    fn higher(self) -> u32 {
+        self.edge as u32
+    }
+}
 
 /// Where a half-edge starts and ends.
 #[inline]
@@ -40,7 +54,7 @@ pub(super) fn ends(corners: &[[u32; 3]], half_edge: u32) -> (u32, u32) {
 pub(super) fn by_edge(corners: &[[u32; 3]]) -> Vec<Entry> {
     let entry = |half_edge| {
         let (from, to) = ends(corners, half_edge);
-        (from.min(to), from.max(to), half_edge)
+        Entry { edge: u64::from(from.min(to)) << 32 | u64::from(from.max(to)), half_edge }
     };
     let mut entries: Vec<Entry> = (0..3 * corners.len() as u32).map(entry).collect();
     entries.sort_unstable();
@@ -48,7 +62,7 @@ pub(super) fn by_edge(corners: &[[u32; 3]]) -> Vec<Entry> {
 }
 
 pub(super) fn edges(entries: &[Entry]) -> impl Iterator<Item = &[Entry]> {
-    entries.chunk_by(|a, b| (a.0, a.1) == (b.0, b.1))
+    entries.chunk_by(|a, b| a.edge == b.edge)
 }
 
 impl Mates {
@@ -59,14 +73,14 @@ impl Mates {
         let mut pieces = Sets::new(faces.len());
         for edge in edges(&entries) {
             if let [a, b] = edge {
-                mates.join(a.2, b.2);
-                pieces.join(a.2 / 3, b.2 / 3);
+                mates.join(a.half_edge, b.half_edge);
+                pieces.join(a.half_edge / 3, b.half_edge / 3);
             }
         }
         for edge in edges(&entries).filter(|edge| edge.len() > 2) {
             mates.edges_split += 1;
-            mates.torn[edge[0].0 as usize] = true;
-            mates.torn[edge[0].1 as usize] = true;
+            mates.torn[edge[0].lower() as usize] = true;
+            mates.torn[edge[0].higher() as usize] = true;
             if edge.len() <= MOST_PAGES {
                 mates.join_pages(edge, faces, places, &mut pieces);
             }
@@ -125,7 +139,8 @@ struct Page {
 }
 
 impl Page {
-    fn of((lower, higher, half_edge): Entry, faces: &Faces, places: &Places<'_>, pieces: &mut Sets) -> Self {
+    fn of(entry: Entry, faces: &Faces, places: &Places<'_>, pieces: &mut Sets) -> Self {
+        let (lower, higher, half_edge) = (entry.lower(), entry.higher(), entry.half_edge);
         let (from, _) = ends(&faces.corners, half_edge);
         let apex = ends(&faces.corners, half_edge - half_edge % 3 + (half_edge + 2) % 3).0;
         let [low, high, apex] = [lower, higher, apex].map(|v| places.positions[v as usize]);

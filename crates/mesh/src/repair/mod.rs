@@ -134,8 +134,8 @@ impl Surface {
         let places = Places { positions: &self.positions, scale };
         if places.flat_faces(&self.faces).is_empty() {
             self.drop_unreferenced();
-            let topology = Topology::from_triangles(self.positions.len(), &self.faces.corners);
-            if let Some(topology) = topology.ok().filter(|topology| !has_doubled_face(topology)) {
+            let topology = Topology::of_manifold(self.positions.len(), &self.faces.corners);
+            if let Some(topology) = topology.filter(|topology| !has_doubled_face(topology)) {
                 return Ok(topology);
             }
         }

@@ -1,7 +1,7 @@
 //! A vertex of its own for each fan of faces.
 
 use super::faces::Faces;
-use super::mates::{Mates, NONE, by_edge, edges, ends};
+use super::mates::{Entry, Mates, NONE, by_edge, edges, ends};
 use super::sets::Sets;
 
 /// What giving each fan its own vertex took.
@@ -22,7 +22,9 @@ pub(super) struct Split {
 /// opens the fan; and faces that clash even so are set loose altogether.
 pub(super) fn split_vertices(faces: &mut Faces, mates: &mut Mates, vertex_count: usize) -> Split {
     let (mut corners, mut split) = fans(faces, mates, vertex_count);
-    for set_loose in [false, true] {
+    // Where no edge was taken apart or cut, every edge has the faces of one pair.
+    let may_clash = mates.torn.contains(&true);
+    for set_loose in [false, true].into_iter().filter(|_| may_clash) {
         let clashing = clashes(&corners);
         if clashing.is_empty() {
             break;
@@ -77,10 +79,10 @@ fn fans(faces: &Faces, mates: &Mates, vertex_count: usize) -> (Vec<[u32; 3]>, Sp
 /// The half-edges along edges with more than two, or with two that run the same way.
 fn clashes(corners: &[[u32; 3]]) -> Vec<u32> {
     let entries = by_edge(corners);
-    let clash = |edge: &&[(u32, u32, u32)]| match edge {
+    let clash = |edge: &&[Entry]| match edge {
         [_] => false,
-        [a, b] => ends(corners, a.2) == ends(corners, b.2),
+        [a, b] => ends(corners, a.half_edge) == ends(corners, b.half_edge),
         _ => true,
     };
-    edges(&entries).filter(clash).flatten().map(|entry| entry.2).collect()
+    edges(&entries).filter(clash).flatten().map(|entry| entry.half_edge).collect()
 }

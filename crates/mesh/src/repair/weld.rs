@@ -27,7 +27,7 @@ struct Leader {
 pub(super) fn weld(positions: &[DVec3], in_use: &[bool], scale: &Scale, tolerance: f64) -> Vec<u32> {
     let mut visits: Vec<(f64, u32)> =
         (0..positions.len() as u32).filter(|&v| in_use[v as usize]).map(|v| (scale.place(positions[v as usize]).dot(SWEEP), v)).collect();
-    visits.sort_unstable_by(|a, b| a.0.total_cmp(&b.0).then_with(|| by_position(positions, a.1, b.1)));
+    sort_by_height(&mut visits, positions);
     let mut followed: Vec<u32> = vec![0; visits.len()];
     let mut lowest: Vec<u32> = Vec::with_capacity(visits.len());
     let mut near: VecDeque<Leader> = VecDeque::new();
@@ -56,8 +56,14 @@ pub(super) fn weld(positions: &[DVec3], in_use: &[bool], scale: &Scale, toleranc
     names
 }
 
-/// Places first, so that the order in which vertices are given decides among equals only.
-fn by_position(positions: &[DVec3], a: u32, b: u32) -> Ordering {
-    let (p, q) = (positions[a as usize], positions[b as usize]);
-    p.x.total_cmp(&q.x).then_with(|| p.y.total_cmp(&q.y)).then_with(|| p.z.total_cmp(&q.z)).then(a.cmp(&b))
+/// Sorts by height, then by place, so that the order in which vertices are given decides among those at one place only.
+fn sort_by_height(visits: &mut [(f64, u32)], positions: &[DVec3]) {
+    // Zero of either sign is one height, and one place.
+    visits.sort_unstable_by(|a, b| a.0.partial_cmp(&b.0).unwrap_or(Ordering::Equal).then(a.1.cmp(&b.1)));
+    for level in visits.chunk_by_mut(|a, b| a.0 == b.0) {
+        let place = |visit: &(f64, u32)| positions[visit.1 as usize].to_array();
+        if level.iter().any(|visit| place(visit) != place(&level[0])) {
+            level.sort_by(|a, b| place(a).partial_cmp(&place(b)).unwrap_or(Ordering::Equal));
+        }
+    }
 }

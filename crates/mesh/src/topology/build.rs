@@ -34,6 +34,18 @@ impl Entry {
     }
 }
 
+/// Why triangles are no manifold; a clash of windings not yet explained.
+enum Fault {
+    Named(TopologyError),
+    Clash { clash: Clash, origins: Vec<VertexId> },
+}
+
+impl From<TopologyError> for Fault {
+    fn from(error: TopologyError) -> Self {
+        Self::Named(error)
+    }
+}
+
 impl Topology {
     /// Joins triangles along their common edges.
     ///
@@ -43,17 +55,32 @@ impl Topology {
     /// # Errors
     /// Where the triangles are no oriented manifold; the first fault is named.
     pub fn from_triangles(vertex_count: usize, triangles: &[[u32; 3]]) -> Result<Self, TopologyError> {
+        Self::join(vertex_count, triangles).map_err(|fault| match fault {
+            Fault::Named(error) => error,
+            Fault::Clash { clash, origins } => explain(vertex_count, &origins, clash),
+        })
+    }
+
+    /// The same, where nobody wants to know why it fails.
+    pub(crate) fn of_manifold(vertex_count: usize, triangles: &[[u32; 3]]) -> Option<Self> {
+        Self::join(vertex_count, triangles).ok()
+    }
+
+    fn join(vertex_count: usize, triangles: &[[u32; 3]]) -> Result<Self, Fault> {
         if triangles.len() as u64 * 3 >= u64::from(NONE) {
-            return Err(TopologyError::TooManyFaces { faces: triangles.len() });
+            return Err(TopologyError::TooManyFaces { faces: triangles.len() }.into());
         }
         if vertex_count > MOST_VERTICES {
-            return Err(TopologyError::TooManyVertices { vertices: vertex_count });
+            return Err(TopologyError::TooManyVertices { vertices: vertex_count }.into());
         }
         for (face, corners) in triangles.iter().enumerate() {
             check_corners(face as u32, corners, vertex_count)?;
         }
         let origins: Vec<VertexId> = triangles.as_flattened().iter().map(|&v| VertexId(v)).collect();
-        let (twins, boundary_edges) = match_twins(vertex_count, &origins).map_err(|clash| explain(vertex_count, &origins, clash))?;
+        let (twins, boundary_edges) = match match_twins(vertex_count, &origins) {
+            Ok(matched) => matched,
+            Err(clash) => return Err(Fault::Clash { clash, origins }),
+        };
         let leaving = first_of_each_fan(vertex_count, &origins, &twins);
         let topology = Self { origins, twins, leaving, boundary_edges };
         topology.check_fans()?;
