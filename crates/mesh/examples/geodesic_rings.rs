@@ -13,12 +13,12 @@ const TUBE: u32 = 24;
 fn main() -> Result<(), Box<dyn Error>> {
     let ring = torus(1.0, 0.4, AROUND, TUBE)?;
     let mut geodesics = Geodesics::on(&ring);
-    let source = VertexId(AROUND * TUBE / 2 + TUBE / 4);
+    let source = VertexId(AROUND * TUBE / 2 + AROUND / 2);
     let fast = geodesics.distances(&[source.into()], f64::INFINITY)?.to_vec(ring.positions().len());
     let exact = geodesics.exact_distances(&[source.into()], f64::INFINITY)?.to_vec(ring.positions().len());
     for row in 0..TUBE {
         let letter = |column: u32| {
-            let distance = fast[(column * TUBE + row) as usize];
+            let distance = fast[(row * AROUND + column) as usize];
             if distance == 0.0 { 'O' } else { [' ', '.', 'o', '#'][(distance / 0.3) as usize % 4] }
         };
         println!("{}", (0..AROUND).map(letter).collect::<String>());

@@ -2,7 +2,7 @@
 //!
 //! [`Topology`] says which faces, edges and vertices touch; it knows no positions. [`Mesh`] adds them, and texture coordinates.
 //! Meshes come from an OBJ file ([`read_obj`]), from a list of triangles, or from a formula ([`sphere`], [`torus`], [`plane`], [`rounded_die`]);
-//! [`Summary`] puts one into figures.
+//! [`Summary`] puts one into figures, [`Geodesics`] measures along it, [`SpatialIndex`] finds where rays hit it and which of its points are near.
 //!
 //! # Convention
 //! Faces wind anticlockwise seen from outside, the frame is right-handed with y up, and a model's own units are kept in `f64`. A handle is a
