@@ -22,8 +22,8 @@ const ROUNDS: [Round; 5] = [
     Round { part: 0.3, faces: 0, swelling: 1.5, let_off: false },
     Round { part: 0.1, faces: 4, swelling: 2.5, let_off: false },
     Round { part: 0.1, faces: 4, swelling: 2.5, let_off: false },
-    Round { part: 0.0, faces: 4, swelling: 2.5, let_off: true },
-    Round { part: 0.0, faces: 4, swelling: 2.5, let_off: true },
+    Round { part: 0.2, faces: 4, swelling: 2.5, let_off: true },
+    Round { part: 0.2, faces: 4, swelling: 2.5, let_off: true },
 ];
 
 /// One time of dissolving and swelling.
@@ -34,16 +34,16 @@ struct Round {
     faces: usize,
     /// How far beyond their splotches the others may swell.
     swelling: f64,
-    /// Whether what was dissolved is let off following the field: about a singularity its direction means little, and a seam is seen sooner than
-    /// turned hair.
+    /// Whether only patches that fail in both are dissolved, and their faces let off following the field: about a singularity its direction means little,
+    /// and a seam is seen sooner than turned hair.
     let_off: bool,
 }
 
 /// Covers a mesh with lapped patches that do not overlap: every face lies in exactly one, and every patch is a topological disc.
 ///
 /// With `directions` the tile's t axis follows the field; without, the tiling is isotropic: each patch is turned at random. No face is
-/// flipped, and every face with area keeps the bounds on stretch and (with a field) turning; but the few that could keep the latter only in a patch of
-/// three faces or fewer, mostly about the field's singularities, are let off it ([`PatchTiling::let_off`]). A mesh without faces gives a tiling without
+/// flipped, and every face with area keeps the bounds on stretch and (with a field) turning; but the few that could keep the latter only in a tiny
+/// patch, mostly about the field's singularities, are let off it ([`PatchTiling::let_off`]). A mesh without faces gives a tiling without
 /// patches. The result depends on the arguments alone, to the last bit; it takes about 3 µs a face on one thread.
 ///
 /// # Errors
@@ -121,7 +121,8 @@ impl Cover<'_> {
         for index in 0..self.drafts.len() {
             let draft = &self.drafts[index];
             let area: f64 = draft.faces.iter().map(|f| self.shapes[f.index()].area()).sum();
-            if area < round.part * draft.splotch.area() || draft.faces.len() < round.faces {
+            let (small, few) = (area < round.part * draft.splotch.area(), draft.faces.len() < round.faces);
+            if if round.let_off { small && few } else { small || few } {
                 let draft = Draft { faces: Vec::new(), vertices: Vec::new(), places: Vec::new(), splotch: draft.splotch };
                 let dissolved = std::mem::replace(&mut self.drafts[index], draft);
                 self.own(&dissolved, UNCOVERED);

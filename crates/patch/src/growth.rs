@@ -308,7 +308,8 @@ fn centre(places: [DVec2; 3]) -> DVec2 {
 }
 
 /// The squared distance from the seed's centre as a whole number, so that places which are equally near but for rounding tie, and their face
-/// numbers decide: else a regular mesh would be tiled otherwise when scaled. The offset keeps round distances off the steps between numbers.
+/// numbers decide: else a regular mesh would be tiled otherwise when scaled, or far from the origin, where rounding moves it by 1e-8 tiles. The step, 1/16,384
+/// square tile, is far above that and far under what shows; the offset keeps round distances off the steps between numbers.
 fn nearness(place: DVec2) -> u64 {
-    (place.length_squared() * f64::from(1 << 30) + 0.371_943) as u64
+    (place.length_squared() * f64::from(1 << 14) + 0.371_943) as u64
 }

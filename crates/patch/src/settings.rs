@@ -31,7 +31,7 @@ pub struct Settings {
     /// [1/`max_stretch`, `max_stretch`]. Above 1. Lower: hair of more even density, smaller patches.
     pub max_stretch: f64,
     /// Greatest angle between field and hair on any face with area, in radians; above 0, at most π/2. Has no meaning without a field. Faces that would
-    /// otherwise be a patch of three or fewer are let off it.
+    /// otherwise be tiny patches are let off it ([`PatchTiling::let_off`](crate::PatchTiling::let_off)).
     pub max_turning: f64,
     /// Chooses where patches start, their outlines, and which part of the tile they show.
     pub seed: u64,

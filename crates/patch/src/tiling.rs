@@ -153,7 +153,7 @@ impl PatchTiling {
     }
 
     /// Faces that were let off [`Settings::max_turning`](crate::Settings::max_turning), ascending: following the field they would have been patches of
-    /// three faces or fewer. They still keep the bound on stretch.
+    /// three faces or fewer and under a fifth of the splotch. They still keep the bound on stretch.
     pub fn let_off(&self) -> &[FaceId] {
         &self.let_off
     }

@@ -5,6 +5,7 @@ mod common;
 
 use std::f64::consts::TAU;
 
+use common::surfaces::{copies, perforated};
 use glam::{DVec2, DVec3};
 use pelage_mesh::{Mesh, plane, sphere};
 use pelage_patch::{PatchError, PatchTiling, Settings, grow};
@@ -42,15 +43,81 @@ fn closed_surfaces_take_two_patches() {
     assert_eq!(common::tile(&tetrahedron, None, &loose).patches().len(), 2);
 }
 
+/// 5,000 balls of 20 faces: each is tiled by itself, by two patches at least.
 #[test]
 fn components_are_tiled_apart() {
-    let one = sphere(1.0, 4).unwrap();
-    let count = one.positions().len() as u32;
-    let positions = (0..50).flat_map(|k| one.positions().iter().map(move |&p| p + 3.0 * f64::from(k) * DVec3::X)).collect();
-    let triangles: Vec<[u32; 3]> = (0..50).flat_map(|k| one.topology().triangles().map(move |t| t.map(|v| v + k * count))).collect();
-    let many = Mesh::from_triangles(positions, &triangles).unwrap();
-    let tiling = common::tile(&many, Some(&common::combed(&many)), &Settings::with_tile_side(1.0));
-    assert!(tiling.patches().len() >= 100);
+    let many = copies(&sphere(1.0, 1).unwrap(), 5000, 3.0 * DVec3::X);
+    for directions in [None, Some(common::combed(&many))] {
+        let tiling = common::tile(&many, directions.as_ref(), &Settings::with_tile_side(1.0));
+        assert!(tiling.patches().len() >= 10_000);
+        for patch in tiling.patches() {
+            let ball = |row: usize| tiling.surface_faces()[row].index() / 20;
+            assert!(patch.faces().all(|row| ball(row) == ball(patch.faces().start)));
+        }
+    }
+}
+
+/// Genus 3, 4 and 133: no patch wraps a handle, whatever it may span.
+#[test]
+fn handles_are_cut_open() {
+    for (columns, rows, cuts) in [(3, 1, 4), (2, 2, 4), (19, 7, 1)] {
+        let slab = perforated(columns, rows, cuts);
+        assert_eq!(slab.topology().euler_characteristic(), 2 - 2 * i64::from(columns * rows));
+        let field = common::combed(&slab);
+        for (directions, extent, loose) in [(Some(&field), 0.9, 2.0), (None, 0.9, 2.0), (None, 100.0, 1e6)] {
+            let settings = Settings { patch_extent: extent, max_stretch: loose, ..Settings::for_mesh(&slab) };
+            common::tile(&slab, directions, &settings);
+        }
+    }
+}
+
+/// Valence 3 all over: a tetrahedron, and a ball each of whose faces is split at its middle.
+#[test]
+fn valence_three() {
+    let corners = [[1.0, 1.0, 1.0], [1.0, -1.0, -1.0], [-1.0, 1.0, -1.0], [-1.0, -1.0, 1.0]];
+    let tetrahedron = mesh(&corners, &[[0, 1, 2], [0, 3, 1], [0, 2, 3], [1, 3, 2]]);
+    let ball = sphere(1.0, 6).unwrap();
+    let middles = ball.faces().map(|face| face.centre().normalize());
+    let positions: Vec<DVec3> = ball.positions().iter().copied().chain(middles).collect();
+    let first = ball.positions().len() as u32;
+    let split = |(k, [a, b, c]): (usize, [u32; 3])| {
+        let middle = first + k as u32;
+        [[a, b, middle], [b, c, middle], [c, a, middle]]
+    };
+    let triangles: Vec<[u32; 3]> = ball.topology().triangles().enumerate().flat_map(split).collect();
+    let split = Mesh::from_triangles(positions, &triangles).unwrap();
+    for mesh in [tetrahedron, split] {
+        for seed in 0..4 {
+            let settings = Settings { seed, ..Settings::for_mesh(&mesh) };
+            common::tile(&mesh, Some(&common::combed(&mesh)), &settings);
+            common::tile(&mesh, None, &Settings { patch_extent: 5.0, ..settings });
+        }
+    }
+}
+
+/// A strip with a half twist, cut once across so that it can be wound: a disc that lies beside itself.
+#[test]
+fn a_moebius_strip_cut_once() {
+    let (around, across) = (120_u32, 6_u32);
+    let place = |k: u32, j: u32| {
+        let turn = TAU * f64::from(k) / f64::from(around);
+        let (half, out) = (0.5 * turn, f64::from(j) / f64::from(across) - 0.5);
+        let radius = 1.0 + 0.6 * out * half.cos();
+        DVec3::new(radius * turn.cos(), 0.6 * out * half.sin(), -radius * turn.sin())
+    };
+    let positions = (0..=around).flat_map(|k| (0..=across).map(move |j| place(k, j))).collect();
+    let cell = |k: u32, j: u32| {
+        let [a, b, c, d] = [(k, j), (k + 1, j), (k, j + 1), (k + 1, j + 1)].map(|(k, j)| k * (across + 1) + j);
+        [[a, b, c], [b, d, c]]
+    };
+    let triangles: Vec<[u32; 3]> = (0..around).flat_map(|k| (0..across).flat_map(move |j| cell(k, j))).collect();
+    let strip = Mesh::from_triangles(positions, &triangles).unwrap();
+    assert_eq!(strip.topology().euler_characteristic(), 1);
+    for extent in [0.9, 50.0] {
+        let settings = Settings { patch_extent: extent, ..Settings::for_mesh(&strip) };
+        common::tile(&strip, Some(&common::combed(&strip)), &settings);
+        common::tile(&strip, None, &settings);
+    }
 }
 
 /// A fan of 5,000 faces, flat: one patch if it may be that large, and any number if not.
@@ -72,6 +139,17 @@ fn assert_reproduced(mesh: &Mesh, tiling: &PatchTiling) {
         let ((p, s), (q, t)) = (ends(0), ends(v));
         assert!((p.distance(q) - s.distance(t)).abs() < 1e-5);
     }
+}
+
+/// A cone so steep that its 5,000 needles meet at a point: nothing is flipped, and no step is as slow as the whole.
+#[test]
+fn a_spike_of_valence_5000() {
+    let rim = (0..5000).map(|k| TAU * f64::from(k) / 5000.0).map(|a| [0.2 * a.cos(), 0.0, -0.2 * a.sin()]);
+    let positions: Vec<[f64; 3]> = std::iter::once([0.0, 1.0, 0.0]).chain(rim).collect();
+    let triangles: Vec<[u32; 3]> = (0..5000).map(|k| [0, 1 + k, 1 + (k + 1) % 5000]).collect();
+    let spike = mesh(&positions, &triangles);
+    common::tile(&spike, Some(&common::combed(&spike)), &Settings::for_mesh(&spike));
+    common::tile(&spike, None, &Settings::for_mesh(&spike));
 }
 
 /// A square whose middle vertex lies so near to one side that their face is a cap is still reproduced.

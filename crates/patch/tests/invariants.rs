@@ -7,6 +7,8 @@ use glam::{DVec2, DVec3};
 use pelage_mesh::{Mesh, plane, rounded_die, sphere, torus};
 use pelage_patch::{Settings, grow};
 use proptest::prelude::*;
+use rand::{RngExt, SeedableRng};
+use rand_pcg::Pcg64Mcg;
 
 #[test]
 fn primitives_keep_every_invariant() {
@@ -91,6 +93,75 @@ fn scale_changes_nothing() {
     }
 }
 
+/// The model may lie as far off as ten million times its size: it is tiled as at home, also a regular one, of which rounding makes unequal what is equal.
+#[test]
+fn an_offset_changes_nothing() {
+    let far = |mesh: &Mesh| 1e7 * mesh.diameter() * DVec3::new(1.0, -0.7, 0.3);
+    let primitives = [sphere(1.0, 12).unwrap(), torus(1.0, 0.3, 40, 16).unwrap(), rounded_die(1.0, 0.3, 12).unwrap()];
+    let primitives = primitives.map(|mesh| ("primitive".to_owned(), mesh)).into_iter();
+    let real = common::real_models().into_iter().filter(|(_, mesh)| mesh.topology().face_count() < 7000);
+    for (name, mesh) in primitives.chain(real) {
+        for with_field in [false, true] {
+            let tiling_at = |mesh: &Mesh, tile_side: f64| {
+                let field = with_field.then(|| common::combed(mesh));
+                common::tile(mesh, field.as_ref(), &Settings::with_tile_side(tile_side))
+            };
+            let side = 0.08 * mesh.diameter();
+            let (reference, tiling) = (tiling_at(&mesh, side), tiling_at(&common::moved(&mesh, |p| p + far(&mesh)), side));
+            assert_eq!(reference.patches().len(), tiling.patches().len(), "{name}");
+            let worst = reference.coordinates().iter().zip(tiling.coordinates()).map(|(a, b)| a.distance(*b)).fold(0.0, f64::max);
+            assert!(reference.faces() == tiling.faces() && worst < 1e-4, "{name}: {worst}");
+        }
+    }
+}
+
+/// On 1, 2 and 8 threads at once, to the bit.
+#[test]
+fn any_number_of_threads_gives_the_same_bits() {
+    let mesh = sphere(1.0, 10).unwrap();
+    let field = common::combed(&mesh);
+    let settings = Settings::for_mesh(&mesh);
+    let make = || grow(&mesh, Some(&field), &settings).unwrap();
+    let reference = make();
+    for threads in [1, 2, 8] {
+        std::thread::scope(|scope| {
+            let runs: Vec<_> = (0..threads).map(|_| scope.spawn(make)).collect();
+            for run in runs {
+                let tiling = run.join().unwrap();
+                assert_eq!(tiling, reference);
+                let same = |(a, b): (&DVec2, &DVec2)| a.x.to_bits() == b.x.to_bits() && a.y.to_bits() == b.y.to_bits();
+                assert!(tiling.coordinates().iter().zip(reference.coordinates()).all(same));
+            }
+        });
+    }
+}
+
+/// A patch may repeat the tile (L4): the extent alone makes patches of several tiles, fewer of them, with hair as large as before; the tile's side alone makes the
+/// hair larger, and leaves the patches' number to the extent.
+#[test]
+fn a_patch_may_repeat_the_tile() {
+    for mesh in [plane(1.0, 1.0, 60, 60).unwrap(), torus(1.0, 0.4, 90, 36).unwrap()] {
+        let once = Settings { patch_extent: 0.9, ..Settings::with_tile_side(0.08 * mesh.diameter()) };
+        let quality = |settings: &Settings| {
+            let tiling = common::tile(&mesh, None, settings);
+            assert_eq!(tiling.tile_side(), settings.tile_side);
+            // The hair's size is the map's scale: coordinates are in tiles, so that areas in them times the tile's are the surface's.
+            let area = |corners: [DVec2; 3]| 0.5 * (corners[1] - corners[0]).perp_dot(corners[2] - corners[0]);
+            let mapped: f64 = tiling.faces().iter().map(|f| area(f.map(|v| tiling.coordinates()[v as usize]))).sum();
+            let scale = mapped * settings.tile_side.powi(2) / mesh.area();
+            assert!((scale - 1.0).abs() < 0.05, "{scale}");
+            tiling.quality(&mesh, None)
+        };
+        let (small, large) = (quality(&once), quality(&Settings { patch_extent: 3.0, ..once }));
+        let coarse = quality(&Settings { tile_side: 2.0 * once.tile_side, patch_extent: 0.45, ..once });
+        assert!(small.tile_repeats_max < 1.8 && large.tile_repeats_p50 > 1.5 && large.tile_repeats_max > 2.5, "{large:?}");
+        assert!(2 * large.patch_count < small.patch_count && large.seam_length < 0.7 * small.seam_length);
+        assert!(large.stretch_p50 <= 1.15 && large.stretch_p99 <= 2.0);
+        assert_eq!(coarse.patch_count, small.patch_count);
+        assert!((coarse.tile_repeats_max - 0.5 * small.tile_repeats_max).abs() < 0.2, "{coarse:?}");
+    }
+}
+
 /// Patches start at places all over the tile, or all would show the same hairs in their middle.
 #[test]
 fn patches_show_different_parts_of_the_tile() {
@@ -147,6 +218,28 @@ fn bumpy_grid_with_holes() -> impl Strategy<Value = Mesh> {
             common::manifold((0..vertices).map(place).collect(), kept)
         })
     })
+}
+
+/// A ball with noise in and out, and some of its faces torn off.
+fn noisy_ball() -> impl Strategy<Value = Mesh> {
+    (1_u32..9, 0.0..0.4, 0.0..0.3, any::<u64>()).prop_map(|(subdivisions, noise, torn, seed)| {
+        let ball = sphere(1.0, subdivisions).unwrap();
+        let mut random = Pcg64Mcg::seed_from_u64(seed);
+        let positions = ball.positions().iter().map(|&p| p * (1.0 + noise * random.random_range(-1.0..1.0))).collect();
+        let kept = ball.topology().triangles().filter(|_| random.random_range(0.0..1.0) >= torn).collect();
+        common::manifold(positions, kept)
+    })
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig { cases: 64, ..ProptestConfig::default() })]
+
+    #[test]
+    fn any_ball_keeps_every_invariant(mesh in noisy_ball(), seed: u64, tile in 0.05..3.0, extent in 0.2..5.0, combed: bool) {
+        let field = (combed && mesh.topology().face_count() > 0).then(|| common::combed(&mesh));
+        let settings = Settings { seed, patch_extent: extent, ..Settings::with_tile_side(tile) };
+        common::tile(&mesh, field.as_ref(), &settings);
+    }
 }
 
 proptest! {

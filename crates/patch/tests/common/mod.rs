@@ -1,6 +1,9 @@
 //! What the tests share.
 #![allow(dead_code, reason = "each test file uses its own part")]
 
+#[path = "../../../field/tests/common/surfaces.rs"]
+pub(crate) mod surfaces;
+
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
@@ -16,7 +19,7 @@ pub(crate) fn tile(mesh: &Mesh, directions: Option<&DirectionField>, settings: &
     tiling
 }
 
-/// Every face in one patch, every patch a disc, nothing flipped, every bound kept, and the arrays in step.
+/// Every face in one patch, every patch a disc, nothing flipped, every bound kept but by the few faces that are let off, and the arrays in step.
 pub(crate) fn check(mesh: &Mesh, directions: Option<&DirectionField>, settings: &Settings, tiling: &PatchTiling) -> Quality {
     check_arrays(mesh, tiling);
     let quality = tiling.quality(mesh, directions);
@@ -79,16 +82,39 @@ pub(crate) fn combed(mesh: &Mesh) -> DirectionField {
     DirectionField::toward(mesh, DVec3::new(0.0, -0.3, -1.0)).unwrap()
 }
 
-/// The clean models of the folder that `PELAGE_MODELS` names, by file name; none where it is unset. The one-sided Möbius strip is no
-/// clean model: it has no outside.
-pub(crate) fn real_models() -> Vec<(String, Mesh)> {
+/// A model of the folder that `PELAGE_MODELS` names.
+pub(crate) struct Model {
+    pub(crate) name: String,
+    pub(crate) mesh: Mesh,
+    /// Whether every face has area and the file needed no repair that cut, split or dropped anything.
+    pub(crate) clean: bool,
+}
+
+/// Every model there that gives a mesh, real and nasty; none where the variable is unset.
+pub(crate) fn all_models() -> Vec<Model> {
     let Some(folder) = std::env::var_os("PELAGE_MODELS") else {
         println!("PELAGE_MODELS is not set: the real models are not tried");
         return Vec::new();
     };
-    let mut paths: Vec<PathBuf> = std::fs::read_dir(Path::new(&folder).join("real")).unwrap().map(|entry| entry.unwrap().path()).collect();
-    paths.retain(|p| p.extension().is_some_and(|e| e == "obj") && p.file_stem().is_some_and(|s| s != "moebius"));
-    paths.sort();
-    assert!(paths.len() >= 12, "{} of the 12 clean models are there", paths.len());
-    paths.iter().map(|p| (p.file_stem().unwrap().to_string_lossy().into_owned(), read_obj(p).unwrap().mesh)).collect()
+    let mut models = Vec::new();
+    for (part, least) in [("real", 13), ("nasty", 25)] {
+        let entries = std::fs::read_dir(Path::new(&folder).join(part)).unwrap();
+        let mut paths: Vec<PathBuf> =
+            entries.map(|entry| entry.unwrap().path()).filter(|p| p.extension().is_some_and(|e| e == "obj")).collect();
+        paths.sort();
+        let before = models.len();
+        for path in paths {
+            let Ok(import) = read_obj(&path) else { continue };
+            let name = path.file_stem().unwrap().to_string_lossy().into_owned();
+            let clean = part == "real" && name != "moebius";
+            models.push(Model { name, mesh: import.mesh, clean });
+        }
+        assert!(models.len() - before >= least, "{} of the {part} models give a mesh", models.len() - before);
+    }
+    models
+}
+
+/// The clean ones of the real models, by name.
+pub(crate) fn real_models() -> Vec<(String, Mesh)> {
+    all_models().into_iter().filter(|model| model.clean).map(|model| (model.name, model.mesh)).collect()
 }
