@@ -2,7 +2,7 @@
 
 use glam::DVec2;
 use pelage_field::DirectionField;
-use pelage_mesh::{Face, FaceId, Mesh};
+use pelage_mesh::{Face, FaceId, Mesh, Topology};
 use rand::seq::SliceRandom;
 use rand::{RngExt, SeedableRng};
 use rand_pcg::Pcg64Mcg;
@@ -58,20 +58,12 @@ pub fn grow(mesh: &Mesh, directions: Option<&DirectionField>, settings: &Setting
     }
     let shapes = face_shapes(mesh, settings.tile_side);
     let rotations = directions.map(|field| face_rotations(mesh, field, &shapes, settings.tile_side));
-    let bounds = Bounds::new(settings.max_stretch, settings.max_turning);
-    let first_bounds = Bounds::new(settings.max_stretch.powf(FIRST_BOUNDS), FIRST_BOUNDS * settings.max_turning);
     let wish = Wish { rotations: rotations.as_deref(), alignment: settings.alignment };
-    let mut cover = Cover {
-        grower: Grower::new(mesh.topology(), &shapes, wish, first_bounds),
-        shapes: &shapes,
-        drafts: Vec::new(),
-        extent: settings.patch_extent,
-        random: Pcg64Mcg::seed_from_u64(settings.seed),
-    };
-    let mut order: Vec<FaceId> = mesh.faces().map(Face::id).collect();
+    let mut cover = Cover::new(mesh.topology(), &shapes, wish, settings);
+    let mut order: Vec<FaceId> = mesh.topology().faces().map(Face::id).collect();
     order.shuffle(&mut cover.random);
     cover.fill(&order);
-    cover.grower.bounds = bounds;
+    cover.grower.bounds = Bounds::new(settings.max_stretch, settings.max_turning);
     for round in ROUNDS.iter().filter(|round| rotations.is_some() || !round.let_off) {
         cover.dissolve(round);
         cover.swell(round.swelling);
@@ -96,7 +88,19 @@ struct Cover<'a> {
     random: Pcg64Mcg,
 }
 
-impl Cover<'_> {
+impl<'a> Cover<'a> {
+    /// Nothing covered, and the bounds those of the first patches.
+    fn new(topology: &'a Topology, shapes: &'a [FaceShape], wish: Wish<'a>, settings: &Settings) -> Self {
+        let bounds = Bounds::new(settings.max_stretch.powf(FIRST_BOUNDS), FIRST_BOUNDS * settings.max_turning);
+        Self {
+            grower: Grower::new(topology, shapes, wish, bounds),
+            shapes,
+            drafts: Vec::new(),
+            extent: settings.patch_extent,
+            random: Pcg64Mcg::seed_from_u64(settings.seed),
+        }
+    }
+
     /// Grows a patch from each face that is still uncovered when its turn comes.
     fn fill(&mut self, order: &[FaceId]) {
         for &seed in order {
@@ -150,5 +154,37 @@ impl Cover<'_> {
             draft.places.iter_mut().for_each(|place| *place += shift);
         }
         self.drafts
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// However small the splotches: as many patches as there are faces to cover at most, each with a face that was not covered, and then nothing is left.
+    #[test]
+    fn covering_takes_a_step_a_face_at_most() {
+        let mesh = pelage_mesh::torus(1.0, 0.4, 30, 12).unwrap();
+        let faces: Vec<FaceId> = mesh.topology().faces().map(Face::id).collect();
+        for patch_extent in [1e-6, 0.9, 100.0] {
+            let settings = Settings { patch_extent, ..Settings::for_mesh(&mesh) };
+            let shapes = face_shapes(&mesh, settings.tile_side);
+            let mut cover = Cover::new(mesh.topology(), &shapes, Wish { rotations: None, alignment: 0.0 }, &settings);
+            let mut uncovered = faces.len();
+            for round in &ROUNDS {
+                let before = cover.drafts.len();
+                cover.fill(&faces);
+                assert!(cover.drafts.len() - before <= uncovered, "{} patches for {uncovered} faces", cover.drafts.len() - before);
+                assert!(cover.grower.owners.iter().all(|&owner| owner != UNCOVERED));
+                let new = &cover.drafts[before..];
+                assert!(
+                    new.iter().all(|draft| !draft.faces.is_empty())
+                        && new.iter().map(|draft| draft.faces.len()).sum::<usize>() == uncovered
+                );
+                cover.dissolve(round);
+                cover.swell(round.swelling);
+                uncovered = cover.grower.owners.iter().filter(|&&owner| owner == UNCOVERED).count();
+            }
+        }
     }
 }
