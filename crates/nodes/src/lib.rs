@@ -48,7 +48,7 @@ pub use patches::GrowPatches;
 #[cfg(feature = "gpu")]
 pub use pelage_render::{Picture, RenderError};
 #[cfg(feature = "gpu")]
-pub use picture::{DepthMode, FrameReport, Gpu, LightingAt, RenderImage};
+pub use picture::{DepthMode, FrameReport, Gpu, LightingAt, RenderImage, TableAxis};
 pub use registry::{evaluator, registry};
 pub use shading::{HairLightingNode, LightNode};
 pub use stats::{Stats, repair_counts};
