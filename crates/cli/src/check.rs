@@ -22,10 +22,14 @@ impl Check {
         let registry = pelage_nodes::registry();
         let mut faults = Vec::new();
         for path in &self.graphs {
-            let checked = self
-                .overrides
-                .read(path, &registry)
-                .and_then(|graph| graph.check(&registry).map(|_| ()).map_err(|faults| Failure::from(faults.with_path(path))));
+            let checked = self.overrides.read(path, &registry).and_then(|graph| {
+                let faults = match (graph.check(&registry), graph.check_files(&registry)) {
+                    (Ok(_), files) => return files.map_err(|faults| faults.with_path(path).into()),
+                    (Err(faults), Ok(())) => faults,
+                    (Err(faults), Err(files)) => faults.and(files),
+                };
+                Err(faults.with_path(path).into())
+            });
             match checked {
                 Ok(()) => {}
                 Err(Failure::Input(message)) => faults.push(message),

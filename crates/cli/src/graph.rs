@@ -23,12 +23,20 @@ impl Overrides {
             other => Failure::Input(other.to_string()),
         })?;
         let here = std::env::current_dir().unwrap_or_else(|_| PathBuf::from("."));
+        let mut faults = Vec::new();
         for assignment in &self.set {
             let Some((target, value)) = assignment.split_once('=') else {
                 return Err(Failure::Usage(format!("--set {assignment}: expected NODE.INPUT=VALUE")));
             };
-            graph.set(registry, target, value, &here).map_err(|error| Failure::Input(format!("--set {error}")))?;
+            if let Err(error) = graph.set(registry, target, value, &here) {
+                faults.push(format!("--set {error}"));
+            }
         }
-        Ok(graph)
+        if faults.is_empty() {
+            return Ok(graph);
+        }
+        // Those of the file are said along with them, so that one run answers with all there is.
+        faults.extend(graph.check(registry).err().map(|of_file| of_file.with_path(path).to_string()));
+        Err(Failure::Input(faults.join("\n")))
     }
 }

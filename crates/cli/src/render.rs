@@ -59,6 +59,8 @@ impl Render {
         }
         let registry = pelage_nodes::registry();
         let mut graph = self.overrides.read(&self.graph, &registry)?;
+        // What is wrong with the file goes before what is asked of it.
+        graph.check(&registry).map_err(|faults| faults.with_path(&self.graph))?;
         let output = self.output_of(&graph)?;
         self.apply_options(&mut graph, &registry, &output)?;
         let checked = graph.check(&registry).map_err(|faults| faults.with_path(&self.graph))?;

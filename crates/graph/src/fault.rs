@@ -158,6 +158,14 @@ pub enum FaultKind {
         /// Type of the output.
         found: String,
     },
+    /// A file that cannot be opened.
+    #[error("cannot read {path}: {message}")]
+    File {
+        /// The file.
+        path: String,
+        /// The system's message.
+        message: String,
+    },
     /// Links that lead back to where they began.
     #[error("a cycle: {}; a node cannot wait for its own result", .nodes.join(" → "))]
     Cycle {
@@ -224,6 +232,12 @@ impl Faults {
     pub(crate) fn new(mut faults: Vec<Fault>) -> Self {
         faults.sort_by_key(|fault| fault.place.map_or((u32::MAX, 0), |place| (place.line, place.column)));
         Self { faults, path: None }
+    }
+    /// These and others of the same file, in its order.
+    #[must_use]
+    pub fn and(mut self, others: Self) -> Self {
+        self.faults.extend(others.faults);
+        Self { path: self.path, ..Self::new(self.faults) }
     }
     /// The same, each line beginning with the file's path.
     #[must_use]

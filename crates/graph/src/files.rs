@@ -2,7 +2,12 @@
 
 use std::path::Path;
 
+use crate::check::is_link;
+use crate::conform::conform;
+use crate::fault::{Fault, FaultKind, Faults};
+use crate::graph::Graph;
 use crate::literal::{Literal, Name, Shape};
+use crate::registry::Registry;
 use crate::spec::{ParamSpec, ParamType};
 
 /// Whether a file path may be in it.
@@ -15,6 +20,63 @@ pub(crate) fn holds_files(ty: &ParamType) -> bool {
         ParamType::Record(record) => record.fields.iter().any(|field| holds_files(&field.ty)),
         _ => false,
     }
+}
+
+/// Every path in a canonical value.
+fn paths<'l>(ty: &ParamType, literal: &'l Literal, found: &mut Vec<&'l Literal>) {
+    let mut fields = |specs: &[ParamSpec], given: &'l [(Name, Literal)]| {
+        for (name, value) in given {
+            if let Some(spec) = specs.iter().find(|spec| spec.name == name.text) {
+                paths(&spec.ty, value, found);
+            }
+        }
+    };
+    match (ty, &literal.shape) {
+        (ParamType::File, Shape::Text(_)) => found.push(literal),
+        (ParamType::Record(record), Shape::Record(_, given)) => fields(&record.fields, given),
+        (ParamType::Choice(choice), Shape::Record(Some(name), given)) => {
+            choice.variants.iter().filter(|variant| variant.name == *name).for_each(|variant| fields(&variant.fields, given));
+        }
+        (ParamType::Optional(ty), Shape::Present(inner)) => paths(ty, inner, found),
+        (ParamType::Tuple(types), Shape::Tuple(items)) => types.iter().zip(items).for_each(|(ty, item)| paths(ty, item, found)),
+        (ParamType::List(ty), Shape::List(items)) => items.iter().for_each(|item| paths(ty, item, found)),
+        _ => {}
+    }
+}
+
+impl Graph {
+    /// Whether every file that a node names can be opened, whatever else may be wrong with the graph. It is not part of
+    /// [`check`](Self::check), which looks at nothing but the graph: a run opens those files only that it needs.
+    ///
+    /// # Errors
+    /// Every file that cannot, with the place of its path.
+    pub fn check_files(&self, registry: &Registry) -> Result<(), Faults> {
+        let mut faults = Vec::new();
+        for (id, node) in &self.nodes {
+            for param in registry.specification(&node.kind).into_iter().flat_map(|specification| &specification.params) {
+                let given = node.field(&param.name, &param.was).or(param.default.as_ref()).filter(|given| !is_link(&param.ty, given));
+                let Some(canonical) = given.filter(|_| holds_files(&param.ty)).map(|given| conform(param, given, &mut Vec::new())) else {
+                    continue;
+                };
+                let mut found = Vec::new();
+                paths(&param.ty, &canonical, &mut found);
+                for (literal, path) in found.into_iter().filter_map(|literal| Some((literal, literal.as_text()?))) {
+                    let path = self.directory().join(path);
+                    if let Err(error) = opened(&path) {
+                        let kind = FaultKind::File { path: path.display().to_string(), message: error.to_string() };
+                        faults.push(Fault { place: literal.place, node: Some(id.clone()), field: Some(param.name.clone()), kind });
+                    }
+                }
+            }
+        }
+        if faults.is_empty() { Ok(()) } else { Err(Faults::new(faults)) }
+    }
+}
+
+/// A folder opens, but there is nothing to read in it.
+fn opened(path: &Path) -> std::io::Result<()> {
+    let is_folder = std::fs::File::open(path)?.metadata()?.is_dir();
+    if is_folder { Err(std::io::ErrorKind::IsADirectory.into()) } else { Ok(()) }
 }
 
 /// A canonical value with each path in it joined to `directory`; absolute ones stay.

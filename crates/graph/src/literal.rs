@@ -85,6 +85,11 @@ impl Literal {
         Shape::Call("Link".to_owned(), vec![target.into()]).into()
     }
 
+    /// The text, if it is one.
+    pub(crate) fn as_text(&self) -> Option<&str> {
+        if let Shape::Text(text) = &self.shape { Some(text) } else { None }
+    }
+
     /// What kind of thing this is, for messages: `the text "fur"`, `a list of 3`.
     pub fn describe(&self) -> String {
         match &self.shape {
