@@ -31,7 +31,7 @@ const RIVALS: [Rival; 5] = [
     Rival { name: "pelage-mesh", measure: pelage },
     Rival { name: "tri-mesh 0.6", measure: tri_mesh },
     Rival { name: "baby_shark 0.3", measure: baby_shark },
-    Rival { name: "smesh 0.2", measure: smesh },
+    Rival { name: "smesh 0.2.0", measure: smesh },
 ];
 
 fn main() {
@@ -100,7 +100,7 @@ fn smesh(input: &Input) -> (Duration, Option<Duration>) {
         let mut mesh = SMesh::new();
         let vertices: Vec<_> = input.positions.iter().map(|p| mesh.add_vertex(glam::Vec3::from(p.map(|x| x as f32)))).collect();
         for &[a, b, c] in &input.triangles {
-            mesh.make_triangle(vertices[a as usize], vertices[b as usize], vertices[c as usize]).expect("a face");
+            mesh.add_triangle(vertices[a as usize], vertices[b as usize], vertices[c as usize]).expect("a face");
         }
         mesh
     });

@@ -7,9 +7,6 @@ use super::layout::Layout;
 use super::queue::Queue;
 use crate::{HalfEdge, Mesh, VertexId};
 
-/// How often an edge is unfolded further, for an obtuse corner.
-const MOST_UNFOLDINGS: usize = 8;
-
 /// A distance is replaced only by one that is less by this fraction: else rounding would go round in circles.
 const LEAST_GAIN: f64 = 1e-12;
 
@@ -89,50 +86,27 @@ impl<'m> Front<'_, 'm> {
 
     /// The distance at the apex of a half-edge's face for a path that comes in over the half-edge; none if no straight one does.
     ///
-    /// The source is put where the distances at the ends of the edge say, on the far side. A path that is shorter than the distances at both ends comes over
-    /// an edge further on, whose ends then know better where the source is: an obtuse apex sees such edges.
+    /// The source is put where the distances at the ends of the edge say, on the far side. The apex may be nearer than both ends, where it is obtuse: then it is
+    /// corrected once they are known, and passes that on.
     fn through(&self, half_edge: HalfEdge<'m, Mesh>) -> Option<f64> {
-        let at = |end: crate::Vertex<'m, Mesh>| self.distances[end.index()];
-        let target = self.layout.apex(half_edge.id());
-        // The edge that the path comes over, as the half-edge behind it.
-        let mut behind = half_edge.twin()?;
-        let (mut left, mut right) = (DVec2::ZERO, DVec2::new(self.layout.length(half_edge.id()), 0.0));
-        let (mut at_left, mut at_right) = (at(half_edge.origin()), at(half_edge.tip()));
-        for _ in 0..MOST_UNFOLDINGS {
-            let source = image(left, right, at_left, at_right)?;
-            let path = target - source;
-            if path.perp_dot(left - source) < 0.0 || path.perp_dot(right - source) > 0.0 {
-                return None;
-            }
-            let distance = path.length();
-            if distance >= at_left.min(at_right) {
-                return Some(distance);
-            }
-            let apex = self.layout.apex(behind.id());
-            // The half-edge behind runs from right to left.
-            let along = (left - right).try_normalize()?;
-            let beyond = right + along * apex.x + along.perp() * apex.y;
-            let (at_beyond, passes_right) = (at(behind.apex()), path.perp_dot(beyond - source) >= 0.0);
-            if passes_right {
-                (left, at_left, behind) = (beyond, at_beyond, behind.previous().twin()?);
-            } else {
-                (right, at_right, behind) = (beyond, at_beyond, behind.next().twin()?);
-            }
-        }
-        None
+        // Nothing comes over a boundary.
+        half_edge.twin()?;
+        let ends = [half_edge.origin(), half_edge.tip()].map(|end| self.distances[end.index()]);
+        let length = self.layout.length(half_edge.id());
+        let source = image(length, ends)?;
+        let path = self.layout.apex(half_edge.id()) - source;
+        let crosses = path.perp_dot(-source) >= 0.0 && path.perp_dot(DVec2::new(length, 0.0) - source) <= 0.0;
+        crosses.then(|| path.length())
     }
 }
 
-/// The point at given distances from two others, on the right of the way from the first to the second; none if no point is or if they coincide.
+/// The point below the x axis at given distances from the origin and from the point at `length` on the axis; none if no point is or if those coincide.
 #[inline]
-fn image(a: DVec2, b: DVec2, to_a: f64, to_b: f64) -> Option<DVec2> {
-    let side = b - a;
-    let length = side.length();
-    if !(length > 0.0 && to_a < f64::INFINITY && to_b < f64::INFINITY) {
+fn image(length: f64, [to_origin, to_end]: [f64; 2]) -> Option<DVec2> {
+    if !(length > 0.0 && to_origin < f64::INFINITY && to_end < f64::INFINITY) {
         return None;
     }
-    let x = 0.5 * (length + (to_a - to_b) * (to_a + to_b) / length);
-    let squared = (to_a - x) * (to_a + x);
-    let along = side / length;
-    (squared >= 0.0).then(|| a + along * x - along.perp() * squared.sqrt())
+    let x = 0.5 * (length + (to_origin - to_end) * (to_origin + to_end) / length);
+    let squared = (to_origin - x) * (to_origin + x);
+    (squared >= 0.0).then(|| DVec2::new(x, -squared.sqrt()))
 }

@@ -91,7 +91,7 @@ impl<'a> Geodesics<'a> {
     ///
     /// A front of vertices, nearest first, as in fast marching (Kimmel and Sethian 1998); a vertex is reached through the edge opposite as if the
     /// surface were unfolded around a source that lies where the distances of the edge's two ends say (Novotni and Klein 2002), so that flat regions are measured exactly.
-    /// Where a corner is obtuse the edge is unfolded further. O(n log n) in the *n* vertices reached; the book's page says how far it is from exact.
+    /// A vertex is settled anew where it is reached by a shorter way later, as behind obtuse corners. O(n log n) in the *n* vertices reached; the book's page says how far it is from exact.
     ///
     /// # Errors
     /// Where a source is not on the mesh, or `reach` is negative or no number.
@@ -119,12 +119,13 @@ impl<'a> Geodesics<'a> {
     ) -> Result<Distances, GeodesicError> {
         error::check(self.layout.mesh, sources, reach)?;
         let unit = self.layout.unit;
-        let touched = method(&self.layout, sources, reach / unit, &mut self.distances);
+        // A little further, so that rounding cuts off nothing that is just within reach in model units.
+        let touched = method(&self.layout, sources, reach / unit * (1.0 + 1e-12), &mut self.distances);
         let mut nearest_first: Vec<(VertexId, f64)> = Vec::with_capacity(touched.len());
         for vertex in touched {
-            let distance = std::mem::replace(&mut self.distances[vertex.index()], f64::INFINITY);
-            if distance <= reach / unit {
-                nearest_first.push((vertex, distance * unit));
+            let distance = std::mem::replace(&mut self.distances[vertex.index()], f64::INFINITY) * unit;
+            if distance <= reach && distance < f64::INFINITY {
+                nearest_first.push((vertex, distance));
             }
         }
         nearest_first.sort_unstable_by(|a, b| a.1.total_cmp(&b.1).then(a.0.cmp(&b.0)));
