@@ -313,6 +313,15 @@ fn from_far_away_it_is_still_hit() {
             assert_eq!(index.hits(&Ray::new(from, inner - from).unwrap()).len(), 2, "from {far}");
         }
     }
+    // Lines of a sheet lie on the sides of boxes, where rounding decides on which side a ray passes.
+    let sheet = plane(2.0, 2.0, 16, 16).unwrap();
+    let index = SpatialIndex::of(&sheet);
+    for far in [1e3, 1e9, 1e12] {
+        for edge in sheet.edges().filter(|edge| !edge.is_boundary() && edge.centre().abs().max_element() < 0.99) {
+            let from = far * DVec3::new(0.31, 0.92, -0.17);
+            assert!(index.is_hit(&Ray::new(from, edge.centre() - from).unwrap()), "from {far} through {}", edge.centre());
+        }
+    }
     for far in [1e3, 1e100, 1e200] {
         let nearest = index.closest_point(far * DVec3::Y).unwrap();
         assert!((nearest.distance / far - 1.0).abs() < 2e-3, "{nearest:?}");

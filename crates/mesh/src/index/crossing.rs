@@ -94,13 +94,7 @@ impl Shear {
 fn passes_left(a: DVec2, b: DVec2) -> Ordering {
     let area = a.perp_dot(b);
     // Moved by (ε, ε²), ε infinitesimal.
-    let moved = || (a.y - b.y, b.x - a.x);
-    let sign = if area != 0.0 {
-        area
-    } else if moved().0 != 0.0 {
-        moved().0
-    } else {
-        moved().1
-    };
+    let moved = DVec2::new(a.y - b.y, b.x - a.x);
+    let sign = [area, moved.x, moved.y].into_iter().find(|&sign| sign != 0.0).unwrap_or(0.0);
     sign.partial_cmp(&0.0).unwrap_or(Ordering::Equal)
 }
