@@ -36,7 +36,7 @@ impl From<SurfacePoint> for Source {
 /// Measures distances along the surface of one mesh, from as many sources as wanted and as often as wanted.
 ///
 /// [`Geodesics::distances`] is a front that passes over each vertex about once, for brushes and fields; [`Geodesics::exact_distances`] is the exact answer,
-/// some fifty times slower, to judge the first by. Both measure to the nearest of the sources, at the vertices, and touch only what they reach.
+/// some fifty to a hundred and fifty times slower, to judge the first by. Both measure to the nearest of the sources, at the vertices, and touch only what they reach.
 ///
 /// ```
 /// use pelage_mesh::{Geodesics, VertexId, plane};
@@ -103,7 +103,7 @@ impl<'a> Geodesics<'a> {
     ///
     /// Windows on edges through which a source, or a vertex that shortest paths bend around, is seen straight (Mitchell, Mount and Papadimitriou 1987), the
     /// nearest first, with one split at each corner (Chen and Han 1990) and those left out that cannot be shortest (Xin and Wang 2009). O(n² log n) at worst;
-    /// on models about n^1.5.
+    /// 3 to 40 µs a vertex on models of some thousand vertices.
     ///
     /// # Errors
     /// Where a source is not on the mesh, or `reach` is negative or no number.

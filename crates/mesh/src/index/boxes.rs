@@ -40,6 +40,14 @@ impl Boundable for PaddedFace {
     }
 }
 
+/// Whether the padded box of a face is further from a point than `limit`.
+#[inline]
+pub(super) fn is_beyond(point: DVec3, [a, b, c]: [DVec3; 3], limit: f64) -> bool {
+    let (low, high) = (a.min(b).min(c), a.max(b).max(c));
+    let outside = ((low - point).max(point - high) - f64::from(PADDING)).max(DVec3::ZERO);
+    outside.length_squared() > limit * limit
+}
+
 impl Boxes {
     pub(super) fn around(mesh: &Mesh) -> Self {
         let mut boxes = Self { tree: Bvh2::default(), ..Self::framed(mesh) };

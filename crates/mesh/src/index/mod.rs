@@ -153,9 +153,14 @@ impl<'a> SpatialIndex<'a> {
         }
         let boxes = &self.boxes;
         let place = boxes.to_frame(point);
-        boxes.near(place, radius / boxes.scale(), |face| {
+        let mut limit = radius / boxes.scale();
+        boxes.near(place, limit, |face| {
             let corners = self.mesh.face(face).vertices().map(|v| boxes.place(v.id()));
-            visit(Nearest::new(self.mesh, face, closest::on_triangle(place, corners), point)) / boxes.scale()
+            // Several faces share a box, and most of them are further off than it.
+            if !boxes::is_beyond(place, corners, limit) {
+                limit = limit.min(visit(Nearest::new(self.mesh, face, closest::on_triangle(place, corners), point)) / boxes.scale());
+            }
+            limit
         });
     }
 }
