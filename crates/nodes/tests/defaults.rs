@@ -3,6 +3,7 @@
 use std::error::Error;
 use std::sync::Arc;
 
+use glam::DVec3;
 use pelage_graph::{Evaluator, Graph, Request};
 
 fn made_by<T: Send + Sync + 'static>(nodes: &str, output: &str) -> Result<Arc<T>, Box<dyn Error>> {
@@ -54,5 +55,28 @@ fn patches() -> Result<(), Box<dyn Error>> {
     let node = made_by::<pelage_patch::PatchTiling>(BALL, "patches.patches")?;
     let settings = pelage_patch::Settings { seed: 1, ..pelage_patch::Settings::for_mesh(&mesh) };
     assert_eq!(*node, pelage_patch::grow(&mesh, None, &settings)?);
+    Ok(())
+}
+
+/// A field by constraints and points is the library's, and a whirl in a file is one on the surface.
+#[test]
+fn constraints_and_points() -> Result<(), Box<dyn Error>> {
+    const BALL: &str = r#""ball": Sphere(), "combed": DirectionField(mesh: "ball.mesh", reach: 0.1,
+        constraints: [(at: (0.5, 0.0, 0.0), along: (0.0, -1.0, 0.0))],
+        points: [(at: (0.0, 0.5, 0.0), flow: Turned(turn: 90.0)), (at: (0.0, 0.0, 0.5), flow: Saddle(along: (1.0, 0.0, 0.0)))])"#;
+    let mesh = made_by::<pelage_mesh::Mesh>(BALL, "ball.mesh")?;
+    let node = made_by::<pelage_field::DirectionField>(BALL, "combed.directions")?;
+    let vectors = [pelage_field::Constraint { at: 0.5 * DVec3::X, along: DVec3::NEG_Y }];
+    let points = [
+        pelage_field::PointConstraint { at: 0.5 * DVec3::Y, flow: pelage_field::Flow::Turned(90_f64.to_radians()) },
+        pelage_field::PointConstraint { at: 0.5 * DVec3::Z, flow: pelage_field::Flow::Saddle(DVec3::X) },
+    ];
+    assert_eq!(*node, pelage_field::DirectionField::from_constraints(&mesh, &vectors, &points, 0.1)?);
+    let found = pelage_field::singularities(&mesh, &node)?;
+    for (place, index) in [(DVec3::Y, 1), (DVec3::Z, -1)] {
+        let edge = mesh.mean_edge_length() / mesh.diameter();
+        let near = |s: &&pelage_field::Singularity| mesh.face(s.face).centre().normalize().distance(place) < 4.0 * edge;
+        assert_eq!(found.iter().filter(near).map(|s| s.index).collect::<Vec<_>>(), [index]);
+    }
     Ok(())
 }

@@ -45,6 +45,33 @@ fn stretch_turning_and_flips_are_measured() {
     assert_eq!(tiling.quality(&mesh, Some(&field)).faces_flipped, 32);
 }
 
+/// A source in the middle of a plane, every face laid out along the field but for those within a ring, which are turned: only where the ring lies farther
+/// than a tile is it seen by the figure for far faces.
+#[test]
+fn near_a_singularity_and_far_are_told_apart() {
+    let mesh = plane(4.0, 4.0, 40, 40).unwrap();
+    let vectors: Vec<DVec3> = mesh.positions().iter().map(|p| *p - DVec3::new(0.03, 0.0, 0.01)).collect();
+    let field = DirectionField::from_vectors(&mesh, &vectors).unwrap();
+    assert_eq!(pelage_field::singularities(&mesh, &field).unwrap().len(), 1);
+    let with_turned = |inner: f64, outer: f64| {
+        let patches: Vec<u32> = (0..mesh.topology().face_count() as u32).collect();
+        let place = |patch: u32, vertex: VertexId| {
+            let face = mesh.face(FaceId(patch));
+            let t = field.on_face(&mesh, FaceId(patch));
+            let p = mesh.vertex(vertex).position() - face.centre();
+            let flat = DVec2::new(p.dot(t.cross(face.normal())), p.dot(t)) / 0.5;
+            let turned = (inner..outer).contains(&face.centre().length());
+            if turned { DVec2::from_angle(0.6).rotate(flat) } else { flat }
+        };
+        PatchTiling::from_places(&mesh, 0.5, &patches, place).unwrap().quality(&mesh, Some(&field))
+    };
+    let (near, far) = (with_turned(0.0, 0.4), with_turned(0.7, 4.0));
+    assert!(near.misalignment_deg_mean.unwrap() > 0.5 && near.misalignment_deg_mean_far.unwrap() < 1e-6, "{near:?}");
+    let turned = 0.6_f64.to_degrees();
+    assert!(far.misalignment_deg_mean_far.unwrap() > 0.95 * turned && far.misalignment_deg_mean_far.unwrap() <= turned + 1e-6, "{far:?}");
+    assert!(far.misalignment_deg_mean.unwrap() < far.misalignment_deg_mean_far.unwrap() - 0.5);
+}
+
 #[test]
 fn seams_are_measured_and_rings_are_no_discs() {
     let mesh = plane(4.0, 4.0, 4, 4).unwrap();
