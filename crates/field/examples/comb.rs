@@ -6,7 +6,7 @@ use std::error::Error;
 use std::path::Path;
 
 use glam::DVec3;
-use pelage_field::{Constraint, DirectionField, singularities};
+use pelage_field::{Constraint, DirectionField, Flow, PointConstraint, singularities};
 use pelage_mesh::{Mesh, read_obj, torus};
 
 fn main() -> Result<(), Box<dyn Error>> {
@@ -20,7 +20,9 @@ fn main() -> Result<(), Box<dyn Error>> {
 
     let (low, high) = mesh.bounds().ok_or("the model has no faces")?;
     let constraints = [Constraint { at: low, along: DVec3::X }, Constraint { at: high, along: DVec3::NEG_Y }];
-    report("two constraints", &mesh, &DirectionField::from_constraints(&mesh, &constraints, &[], 0.2)?)
+    report("two constraints", &mesh, &DirectionField::from_constraints(&mesh, &constraints, &[], 0.2)?)?;
+    let crown = PointConstraint { at: DVec3::new(0.0, high.y, 0.0), flow: Flow::Turned(-1.0) };
+    report("and a crown", &mesh, &DirectionField::from_constraints(&mesh, &constraints, &[crown], 0.2)?)
 }
 
 fn report(name: &str, mesh: &Mesh, field: &DirectionField) -> Result<(), Box<dyn Error>> {
