@@ -4,7 +4,7 @@
 use divan::Bencher;
 use divan::counter::ItemsCount;
 use glam::DVec3;
-use pelage_field::{Constraint, DirectionField, singularities};
+use pelage_field::{Constraint, DirectionField, Flow, PointConstraint, singularities};
 use pelage_mesh::{Mesh, torus};
 
 const SIZES: [(u32, u32); 3] = [(50, 50), (250, 200), (1000, 500)];
@@ -38,6 +38,15 @@ fn four_constraints(bencher: Bencher<'_, '_>, size: (u32, u32)) {
     let (mesh, faces) = model(size);
     let constraints = [DVec3::X, DVec3::Z, DVec3::NEG_X, DVec3::NEG_Z].map(|at| Constraint { at, along: at.cross(DVec3::Y) });
     bencher.counter(faces).bench(|| DirectionField::from_constraints(&mesh, &constraints, &[], 0.2).unwrap());
+}
+
+/// A whirl, a source and a saddle.
+#[divan::bench(args = SIZES, sample_count = 5)]
+fn three_points(bencher: Bencher<'_, '_>, size: (u32, u32)) {
+    let (mesh, faces) = model(size);
+    let points = [(DVec3::X, Flow::Turned(1.6)), (DVec3::NEG_X, Flow::Turned(0.0)), (DVec3::Z, Flow::Saddle(DVec3::Y))];
+    let points = points.map(|(at, flow)| PointConstraint { at: 1.4 * at, flow });
+    bencher.counter(faces).bench(|| DirectionField::from_constraints(&mesh, &[], &points, 0.2).unwrap());
 }
 
 #[divan::bench(args = SIZES, sample_count = 10)]

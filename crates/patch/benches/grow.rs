@@ -30,12 +30,12 @@ const SIZES: [u32; 4] = [1_000, 10_000, 100_000, 1_000_000];
 fn main() {
     println!("tiling at the default tile beside its floor: one pass through a heap, one Cholesky a patch (least of several, ns a face)");
     for (kind, combed) in [("isotropic", false), ("along a field", true)] {
-        let mut last: Option<(f64, f64)> = None;
+        let mut last: Option<[f64; 3]> = None;
         for faces in SIZES {
             let here = print_ratio(&format!("torus, {kind}"), &torus_of(faces), combed);
-            if let Some((fewer, sooner)) = last {
-                let (faces, time) = here;
-                println!("{:>54}", format!("time grows as faces to the power {:.2}", (time / sooner).ln() / (faces / fewer).ln()));
+            if let Some(last) = last {
+                let power = |k: usize| (here[k] / last[k]).ln() / (here[0] / last[0]).ln();
+                println!("{:>60}", format!("time grows as faces to the power {:.2}, the floor's {:.2}", power(1), power(2)));
             }
             last = Some(here);
         }
@@ -58,8 +58,8 @@ fn bunny() -> Mesh {
     read_obj(&path).unwrap().mesh
 }
 
-/// Prints a line; returns the faces and the least time, in seconds.
-fn print_ratio(name: &str, mesh: &Mesh, combed: bool) -> (f64, f64) {
+/// Prints a line; returns the faces, the least time and the floor, in seconds.
+fn print_ratio(name: &str, mesh: &Mesh, combed: bool) -> [f64; 3] {
     let field = combed.then(|| DirectionField::toward(mesh, DVec3::new(0.0, -0.3, -1.0)).unwrap());
     let settings = Settings::for_mesh(mesh);
     let systems = systems(&grow(mesh, field.as_ref(), &settings).unwrap());
@@ -78,7 +78,7 @@ fn print_ratio(name: &str, mesh: &Mesh, combed: bool) -> (f64, f64) {
         ours / floor,
         ours * 1e3
     );
-    (faces, ours)
+    [faces, ours, floor]
 }
 
 fn time<T>(work: impl FnOnce() -> T) -> f64 {
