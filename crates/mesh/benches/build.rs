@@ -1,6 +1,6 @@
 //! Index list → half-edges, beside a sort of the same edge keys: the floor that any such structure stands on.
 //!
-//! Besides the table of `divan`, each size prints the ratio of medians, measured turn and turn about, since machines drift.
+//! Besides the table of `divan`, each size prints the ratio of the least times, measured turn and turn about, since machines drift.
 #![allow(clippy::print_stdout, clippy::unwrap_used, reason = "a benchmark prints, and its input is its own")]
 
 mod common;
@@ -42,7 +42,7 @@ impl Input {
 }
 
 fn main() {
-    println!("half-edges from an index list, against one sort of the same keys (medians, ns a face)");
+    println!("half-edges from an index list, against one sort of the same keys (least of several, ns a face)");
     for (name, make) in [("in order", Input::torus as fn(_) -> _), ("shuffled", Input::shuffled)] {
         let times = SIZES.map(|size| print_ratio(name, &make(size)));
         println!("            {name}: a face of the largest takes {:.2} times as long as one of the least", times[2] / times[0]);
@@ -61,7 +61,7 @@ fn print_ratio(name: &str, input: &Input) -> f64 {
         sorted.copy_from_slice(&keys);
         sorted.sort_unstable();
     };
-    let [build, sort] = common::medians(rounds, faces, || input.build(), sort);
+    let [build, sort] = common::least(rounds, faces, || input.build(), sort);
     println!("  {faces:>9} faces {name}: {build:6.1}, sort {sort:6.1}, ratio {:.2}", build / sort);
     build
 }

@@ -1,7 +1,7 @@
 //! Half-edge topology and triangle geometry.
 //!
 //! [`Topology`] says which faces, edges and vertices touch; it knows no positions. [`Mesh`] adds them, and texture coordinates.
-//! Meshes come from an OBJ file ([`read_obj`]), from a list of triangles, or from a formula ([`sphere`], [`torus`], [`plane`], [`rounded_die`]);
+//! Meshes come from an OBJ file ([`read_obj`]), from any polygons whatever ([`repair`]), from a list of triangles, or from a formula ([`sphere`], [`torus`], [`plane`], [`rounded_die`]);
 //! [`Summary`] puts one into figures, [`Geodesics`] measures along it, [`SpatialIndex`] finds where rays hit it and which of its points are near.
 //!
 //! # Convention
@@ -31,6 +31,8 @@
 //! S. Campagna, L. Kobbelt, H.-P. Seidel: Directed Edges, a Scalable Representation for Triangle Meshes, Journal of Graphics Tools 3(4), 1998:
 //! the three half-edges of face *f* are 3*f*, 3*f* + 1 and 3*f* + 2, so that a half-edge's face, next and previous are arithmetic and only its
 //! mate is stored. G. Thürmer, C. A. Wüthrich: Computing Vertex Normals from Polygonal Facets, Journal of Graphics Tools 3(1), 1998.
+//! A. Guéziec, G. Taubin, F. Lazarus, B. Horn: Cutting and Stitching: Converting Sets of Polygons to Manifold Surfaces, IEEE Transactions on
+//! Visualization and Computer Graphics 7(2), 2001: vertices copied for each fan.
 
 mod geodesic;
 mod geometry;
