@@ -42,7 +42,7 @@ impl Input {
 }
 
 fn main() {
-    println!("half-edges from an index list, against one sort of the same keys (least of several, ns a face)");
+    println!("half-edges from an index list, against one sort of the same keys (the least of several times on a core, ns a face)");
     for (name, make) in [("in order", Input::torus as fn(_) -> _), ("shuffled", Input::shuffled)] {
         let times = SIZES.map(|size| print_ratio(name, &make(size)));
         println!("            {name}: a face of the largest takes {:.2} times as long as one of the least", times[2] / times[0]);

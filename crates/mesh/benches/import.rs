@@ -13,12 +13,12 @@ use rand_pcg::Pcg64Mcg;
 const SIZES: [(u32, u32); 3] = [(50, 50), (250, 200), (1000, 500)];
 
 fn main() {
-    println!("OBJ to mesh, beside tobj alone on the same bytes (least of several, ns a face)");
+    println!("OBJ to mesh, beside tobj alone on the same bytes (the least of several times on a core, ns a face)");
     for size in SIZES {
         let text = obj_text(&mesh(size));
         print_ratio("import", "tobj", faces(size), || parse_obj(text.as_bytes()).unwrap(), || parse_alone(text.as_bytes()));
     }
-    println!("polygons to mesh, beside one sort of their edge keys (least of several, ns a face)");
+    println!("polygons to mesh, beside one sort of their edge keys (the least of several times on a core, ns a face)");
     for (name, make) in [("clean", clean as fn(_) -> _), ("soup", exploded), ("torn", torn)] {
         for size in SIZES {
             let soup = make(size);

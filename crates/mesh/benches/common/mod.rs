@@ -1,9 +1,11 @@
 //! Two pieces of work timed turn and turn about, since machines drift.
 
 use std::hint::black_box;
-use std::time::{Duration, Instant};
+use std::time::Duration;
 
-/// The least times of both, in nanoseconds for each of `items`: what else a machine does only ever adds to them.
+use cpu_time::ThreadTime;
+
+/// The least times of both on a core, in nanoseconds for each of `items`. What else a machine does is not in them, but for caches that it fills.
 pub(crate) fn least<A, B>(rounds: usize, items: usize, mut a: impl FnMut() -> A, mut b: impl FnMut() -> B) -> [f64; 2] {
     let mut least = [Duration::MAX; 2];
     for _ in 0..rounds {
@@ -13,7 +15,7 @@ pub(crate) fn least<A, B>(rounds: usize, items: usize, mut a: impl FnMut() -> A,
 }
 
 fn time<T>(work: impl FnOnce() -> T) -> Duration {
-    let start = Instant::now();
+    let start = ThreadTime::now();
     black_box(work());
     start.elapsed()
 }

@@ -29,10 +29,10 @@ impl fmt::Display for Note {
         match self {
             Self::NoTextureCoordinates => f.write_str("faces name texture coordinates, but the file has none (`vt`): left out"),
             Self::CornersWithoutTextureCoordinates { corners } => {
-                write!(f, "{corners} corners of faces have no texture coordinates: those of the others are left out")
+                write!(f, "corners of faces without texture coordinates: {corners}; those of the others are left out")
             }
             Self::UnknownStatements { count, line, first } => {
-                write!(f, "{count} statements of unknown kinds passed over, the first in line {line}: `{first}`")
+                write!(f, "statements of unknown kinds passed over: {count}, the first in line {line}: `{first}`")
             }
         }
     }

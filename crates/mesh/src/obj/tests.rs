@@ -73,7 +73,7 @@ fn unknown_statements_are_noted_without_their_bytes() {
     let import = import(&format!("{SQUARE}curv 0 1\n\x1b[2Jboo\nf 1 2 3 4\n"));
     assert_eq!(import.notes, [Note::UnknownStatements { count: 2, line: 5, first: "curv".into() }]);
     let escape = parse_obj(format!("{SQUARE}\x1b[2Jbooooooooooooooooooooo\nf 1 2 3\n").as_bytes()).unwrap();
-    assert_eq!(escape.notes[0].to_string(), "1 statements of unknown kinds passed over, the first in line 5: `?[2Jbooooooooooo`");
+    assert_eq!(escape.notes[0].to_string(), "statements of unknown kinds passed over: 1, the first in line 5: `?[2Jbooooooooooo`");
 }
 
 #[test]
