@@ -79,6 +79,20 @@ fn near_vertices_weld_and_others_do_not() {
 }
 
 #[test]
+fn one_face_far_away_swallows_nothing() {
+    let ball = sphere(1.0, 20).unwrap();
+    for distance in [1e3, 1e6, 1e9] {
+        let mut soup = soup_of(&ball);
+        let first = soup.positions.len() as u32;
+        soup.positions.extend(flat(&[(distance, 0.0), (1.5 * distance, 0.0), (distance, distance)]));
+        soup.corners.extend([first, first + 1, first + 2]);
+        soup.ends.push(soup.corners.len() as u32);
+        let repaired = mend(soup);
+        assert_eq!((repaired.report, repaired.mesh.topology().face_count()), (NONE, 8001), "{distance}");
+    }
+}
+
+#[test]
 fn a_chain_of_near_vertices_does_not_collapse() {
     // A thousand vertices, each within reach of the next, along a tenth of the side.
     let count = 1000;

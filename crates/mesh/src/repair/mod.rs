@@ -48,11 +48,15 @@ use scale::Scale;
 /// ends of a seam at angles 0 and 2π, are that far apart and no farther. The edges of a model of ten million faces are about 300 times as long.
 pub const WELD_TOLERANCE: f64 = 1e-6;
 
+/// Nor are vertices welded that are farther apart than this part of the median side of a polygon. The diameter alone would let one far-off face swallow a
+/// model whole.
+const MOST_OF_AN_EDGE: f64 = 1e-3;
+
 /// How [`repair`] goes about it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct RepairSettings {
     /// How far apart two vertices may be and still become one, as a part of the model's diameter: 0 to 1. At 0 only those at the same place do;
-    /// the larger, the more detail is lost. No effect on time.
+    /// the larger, the more detail is lost, up to a thousandth of the median side of a polygon. No effect on time.
     pub weld: f64,
 }
 
@@ -108,7 +112,8 @@ pub fn repair(soup: Soup, settings: &RepairSettings) -> Result<Repaired, RepairE
     let used = soup.positions.iter().zip(&in_use).filter(|(_, in_use)| **in_use).map(|(&p, _)| p);
     let Some(scale) = Scale::of(used) else { return Err(no_surface) };
     let mut report = RepairReport::default();
-    let names = weld::weld(&soup.positions, &in_use, &scale, settings.weld.clamp(0.0, 1.0));
+    let tolerance = settings.weld.clamp(0.0, 1.0).min(MOST_OF_AN_EDGE * scale.median_side(&soup));
+    let names = weld::weld(&soup.positions, &in_use, &scale, tolerance);
     report.vertices_welded = (0..).zip(&names).filter(|&(vertex, &name)| vertex != name).count();
     let faces = polygons::cut_polygons(&soup, &names, &scale, &mut report);
     let Soup { positions, texture_coordinates, .. } = soup;

@@ -2,6 +2,8 @@
 
 use glam::DVec3;
 
+use super::soup::Soup;
+
 /// A few times the rounding of one coordinate.
 const ROUNDING: f64 = 4.0 * f64::EPSILON;
 
@@ -35,6 +37,20 @@ impl Scale {
     #[inline]
     pub(super) fn place(&self, p: DVec3) -> DVec3 {
         (p - self.centre) / self.diameter
+    }
+
+    /// The median length of the polygons' sides that have one, in diameters; 0 if none has.
+    pub(super) fn median_side(&self, soup: &Soup) -> f64 {
+        let mut lengths = Vec::with_capacity(soup.corners.len());
+        for range in soup.ranges() {
+            let corners = &soup.corners[range];
+            let sides = corners.iter().zip(corners.iter().cycle().skip(1));
+            lengths.extend(sides.map(|(&a, &b)| self.between(soup.positions[a as usize], soup.positions[b as usize]).length_squared()));
+        }
+        lengths.retain(|&length| length > 0.0);
+        let middle = lengths.len() / 2;
+        // Of the squares, as roots change no order.
+        if lengths.is_empty() { 0.0 } else { lengths.select_nth_unstable_by(middle, f64::total_cmp).1.sqrt() }
     }
 
     /// From one place to another, in diameters.
