@@ -1,6 +1,7 @@
 //! What turns the growing hairs: stiffness, gravity, wander, separation and clumping.
 
 use glam::DVec3;
+use rayon::prelude::*;
 
 use crate::grow::Particles;
 use crate::noise::TileNoise;
@@ -12,6 +13,8 @@ use crate::traits::Traits;
 
 /// The smaller the number, the wider the shared wander: cells along a tile side.
 const SHARED_FREQUENCY: u32 = 5;
+/// Fewer particles than this are not worth another thread.
+const PARTICLES_A_TASK: usize = 256;
 /// How fast a heading steers to its lock, per length grown.
 const LOCK_RATE: f64 = 12.0;
 
@@ -23,26 +26,25 @@ pub(crate) struct Forces<'a> {
     reach: f64,
     grid: TorusGrid,
     shared: TileNoise,
-    own: TileNoise,
+    own_wander: &'a [[f64; 2]],
     /// For each strand the guide particle of its lock.
     locks: Vec<u32>,
     pushes: Vec<DVec3>,
 }
 
 impl<'a> Forces<'a> {
-    pub(crate) fn new(settings: &'a GrowSettings, traits: &'a [Traits], roots: &[Root], length: f64) -> Self {
+    pub(crate) fn new(settings: &'a GrowSettings, traits: &'a [Traits], own_wander: &'a [[f64; 2]], roots: &[Root], length: f64) -> Self {
         let count = roots.len();
         // Hairs feel each other up to the mean distance of neighbours.
         let reach = (1.0 / (count.max(1) as f64).sqrt()).min(0.5);
-        let seed = mix(settings.seed ^ Purpose::Noise as u64);
         Self {
             settings,
             traits,
             length,
             reach,
             grid: TorusGrid::new(reach, count),
-            shared: TileNoise::new(seed, SHARED_FREQUENCY),
-            own: TileNoise::new(mix(seed), 1),
+            shared: TileNoise::new(wander_seed(settings), SHARED_FREQUENCY),
+            own_wander,
             locks: if settings.clump > 0.0 { nearest_locks(settings, roots) } else { Vec::new() },
             pushes: vec![DVec3::ZERO; count],
         }
@@ -55,13 +57,15 @@ impl<'a> Forces<'a> {
         if self.settings.separation > 0.0 {
             self.grid.rebuild(particles.places.iter().map(|p| [p.x, p.y]));
         }
-        for i in 0..particles.places.len() {
-            let mut push = DVec3::new(0.0, 0.0, -self.settings.gravity);
-            push += self.wander(i, particles.places[i], time);
-            push += self.separation(i, &particles.places);
-            push += self.clump(i, &particles.places, time);
-            self.pushes[i] = push;
-        }
+        // Each from what stood before the step, so that the bits do not depend on how many threads there are.
+        let mut pushes = std::mem::take(&mut self.pushes);
+        pushes.par_iter_mut().with_min_len(PARTICLES_A_TASK).enumerate().for_each(|(i, push)| {
+            *push = DVec3::new(0.0, 0.0, -self.settings.gravity);
+            *push += self.wander(i, particles.places[i], step);
+            *push += self.separation(i, &particles.places);
+            *push += self.clump(i, &particles.places, time);
+        });
+        self.pushes = pushes;
         let step_size = 1.0 / steps;
         let stiffness = self.settings.stiffness;
         for (i, push) in self.pushes.iter().enumerate() {
@@ -73,12 +77,9 @@ impl<'a> Forces<'a> {
     }
 
     /// Half shared by neighbours, half the hair's own.
-    fn wander(&self, i: usize, place: DVec3, time: f64) -> DVec3 {
-        if self.settings.wander == 0.0 {
-            return DVec3::ZERO;
-        }
+    fn wander(&self, i: usize, place: DVec3, step: usize) -> DVec3 {
+        let Some(&[ox, oy]) = self.own_wander.get(step * self.traits.len() + i) else { return DVec3::ZERO };
         let [sx, sy] = self.shared.sideways(place.x, place.y, place.z);
-        let [ox, oy] = self.own.sideways(0.37, 0.71, self.traits[i].own_noise + 3.0 * time);
         DVec3::new(sx + ox, sy + oy, 0.0) * (2.0 * self.settings.wander)
     }
 
@@ -109,6 +110,28 @@ impl<'a> Forces<'a> {
         let strength = if self.traits[i].undercoat { 0.4 } else { 1.0 } * self.settings.clump * LOCK_RATE;
         (sideways / left.max(1e-9)).clamp_length_max(2.0) * strength
     }
+}
+
+fn wander_seed(settings: &GrowSettings) -> u64 {
+    mix(settings.seed ^ Purpose::Noise as u64)
+}
+
+/// The wander that is each hair's own, step after step: it does not depend on where the hair is, so one table does for all growths of a fit. Empty without
+/// wander.
+pub(crate) fn own_wander(settings: &GrowSettings, traits: &[Traits]) -> Vec<[f64; 2]> {
+    if settings.wander == 0.0 {
+        return Vec::new();
+    }
+    let own = TileNoise::new(mix(wander_seed(settings)), 1);
+    let steps = settings.steps as usize;
+    let mut values = vec![[0.0; 2]; steps * traits.len()];
+    values.par_chunks_mut(traits.len().max(1)).enumerate().for_each(|(step, values)| {
+        let time = step as f64 / steps as f64;
+        for (value, traits) in values.iter_mut().zip(traits) {
+            *value = own.sideways(0.37, 0.71, traits.own_noise + 3.0 * time);
+        }
+    });
+    values
 }
 
 /// The first roots stand evenly (see `roots`), so as many of them as locks fit are the locks' guides.

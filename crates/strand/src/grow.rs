@@ -5,7 +5,7 @@ use libm::{asin, cos, pow, sin};
 use std::f64::consts::{FRAC_2_PI, TAU};
 
 use crate::error::StrandError;
-use crate::forces::Forces;
+use crate::forces::{Forces, own_wander};
 use crate::roots::scatter;
 use crate::seed::Purpose;
 use crate::settings::{GrowSettings, Style};
@@ -66,12 +66,14 @@ struct Growth<'a> {
     settings: &'a GrowSettings,
     roots: &'a [Root],
     traits: Vec<Traits>,
+    own_wander: Vec<[f64; 2]>,
 }
 
 impl<'a> Growth<'a> {
     fn new(settings: &'a GrowSettings, roots: &'a [Root]) -> Self {
-        let traits = roots.iter().enumerate().map(|(index, &root)| draw(settings, index, root)).collect();
-        Self { settings, roots, traits }
+        let traits: Vec<Traits> = roots.iter().enumerate().map(|(index, &root)| draw(settings, index, root)).collect();
+        let own_wander = own_wander(settings, &traits);
+        Self { settings, roots, traits, own_wander }
     }
 
     /// Forces bend hair down, so the lengths that reach the asked height are found by growing again.
@@ -111,7 +113,7 @@ impl<'a> Growth<'a> {
         let steps = self.settings.steps as usize;
         let count = self.roots.len();
         let mut particles = self.at_the_roots();
-        let mut forces = Forces::new(self.settings, &self.traits, self.roots, length);
+        let mut forces = Forces::new(self.settings, &self.traits, &self.own_wander, self.roots, length);
         // Time after time, as the simulation goes; strand after strand is made of it below.
         let mut trail = Vec::with_capacity(count * (steps + 1));
         trail.extend_from_slice(&particles.places);

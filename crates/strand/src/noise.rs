@@ -32,15 +32,15 @@ impl TileNoise {
         let cell = place.map(f64::floor);
         let inside = [place[0] - cell[0], place[1] - cell[1], place[2] - cell[2]];
         let ease = inside.map(|t| t * t * t * (t * (t * 6.0 - 15.0) + 10.0));
+        let hashes = self.hashes(cell);
         let mut total = 0.0;
-        for corner in 0..8u8 {
-            let step = [corner & 1, (corner >> 1) & 1, corner >> 2].map(f64::from);
+        for (corner, &hash) in hashes.iter().enumerate() {
+            let step = [corner & 1, (corner >> 1) & 1, corner >> 2].map(|bit| bit as f64);
             let mut weight = 1.0;
             for axis in 0..3 {
                 weight *= if step[axis] > 0.0 { ease[axis] } else { 1.0 - ease[axis] };
             }
-            let lattice = [cell[0] + step[0], cell[1] + step[1], cell[2] + step[2]];
-            total += weight * self.ramp(lattice, [inside[0] - step[0], inside[1] - step[1], inside[2] - step[2]]);
+            total += weight * ramp(hash, [inside[0] - step[0], inside[1] - step[1], inside[2] - step[2]]);
         }
         total.clamp(-1.0, 1.0)
     }
@@ -51,17 +51,26 @@ impl TileNoise {
         [self.value(x, y, z), other.value(x, y, z)]
     }
 
-    /// The gradient of one lattice point, wrapped in x and y, times the way to it.
-    fn ramp(&self, lattice: [f64; 3], away: [f64; 3]) -> f64 {
+    /// The hash of each corner of a cell, wrapped in x and y: x goes fastest. Corners share what their common coordinates give.
+    fn hashes(&self, cell: [f64; 3]) -> [u64; 8] {
         let period = i64::from(self.frequency);
-        let key = [(lattice[0] as i64).rem_euclid(period), (lattice[1] as i64).rem_euclid(period), lattice[2] as i64];
-        let hash = key.iter().fold(self.seed, |hash, &k| mix(hash ^ k as u64));
-        let (a, b) = match hash % 3 {
-            0 => (away[0], away[1]),
-            1 => (away[1], away[2]),
-            _ => (away[2], away[0]),
+        let ends = |axis: usize| {
+            let low = cell[axis] as i64;
+            if axis < 2 { [low.rem_euclid(period), (low + 1).rem_euclid(period)] } else { [low, low + 1] }
         };
-        let signs = hash >> 32;
-        (if signs & 1 == 0 { a } else { -a }) + (if signs & 2 == 0 { b } else { -b })
+        let [xs, ys, zs] = [0, 1, 2].map(ends);
+        let columns = xs.map(|x| mix(self.seed ^ x as u64)).map(|hash| ys.map(|y| mix(hash ^ y as u64)));
+        std::array::from_fn(|corner| mix(columns[corner & 1][(corner >> 1) & 1] ^ zs[corner >> 2] as u64))
     }
+}
+
+/// A lattice point's gradient times the way from it.
+fn ramp(hash: u64, away: [f64; 3]) -> f64 {
+    let (a, b) = match hash % 3 {
+        0 => (away[0], away[1]),
+        1 => (away[1], away[2]),
+        _ => (away[2], away[0]),
+    };
+    let signs = hash >> 32;
+    (if signs & 1 == 0 { a } else { -a }) + (if signs & 2 == 0 { b } else { -b })
 }

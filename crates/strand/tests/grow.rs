@@ -70,6 +70,46 @@ fn the_same_seed_grows_the_same_bits_and_another_does_not() {
 }
 
 #[test]
+fn any_number_of_threads_grows_the_same_bits() {
+    let settings = GrowSettings { count: 900, clump: 0.5, ..GrowSettings::default() };
+    let with = |threads: usize| rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap().install(|| grow(&settings).unwrap());
+    let one = with(1);
+    assert_eq!(one, with(2));
+    assert_eq!(one, with(8));
+}
+
+/// What passes hair is what its shadow leaves, in cases that geometry answers.
+#[test]
+fn light_passes_where_no_shadow_falls() {
+    let hair = |x: f64, y: f64, radii: [f64; 2]| StrandSource {
+        points: vec![[x, y, 0.0], [x, y, 0.4]],
+        radii: radii.to_vec(),
+        root_colour: [1.0; 3],
+        tip_colour: [1.0; 3],
+    };
+    let open = |hairs: &[StrandSource], slope: [f64; 2]| StrandTile::from_strands(0.4, hairs).unwrap().transmittance(slope, 512).unwrap();
+    let disc = std::f64::consts::PI * 0.01;
+    // A rod's shadow is a stadium, over the border too, and two that coincide are one.
+    for slope in [[0.0, 0.0], [1.0, 0.0], [0.0, -1.5], [0.6, 0.8]] {
+        let shadow = disc + 0.2 * 0.4 * f64::hypot(slope[0], slope[1]);
+        for place in [0.5, 0.95] {
+            let rod = hair(place, place, [0.1; 2]);
+            assert!((open(std::slice::from_ref(&rod), slope) - (1.0 - shadow)).abs() < 1e-3);
+            assert!((open(&[rod.clone(), rod], slope) - (1.0 - shadow)).abs() < 1e-3);
+        }
+    }
+    // A cone's is its base along the normal; aslant, the hull of base and tip: two tangents to the base from a point 0.4 away.
+    let cone = hair(0.3, 0.5, [0.1, 0.0]);
+    assert!((open(std::slice::from_ref(&cone), [0.0, 0.0]) - (1.0 - disc)).abs() < 1e-3);
+    let (tangent, angle) = ((0.4f64 * 0.4 - 0.01).sqrt(), (0.1f64 / 0.4).acos());
+    let hull = 0.1 * tangent + 0.01 * (std::f64::consts::PI - angle);
+    assert!((open(&[cone], [1.0, 0.0]) - (1.0 - hull)).abs() < 1e-3);
+    assert_eq!(StrandTile::empty(0.4).transmittance([1.0, 0.0], 64), Some(1.0));
+    assert_eq!(StrandTile::empty(0.4).transmittance([f64::NAN, 0.0], 64), None);
+    assert_eq!(StrandTile::empty(0.4).transmittance([0.0, 0.0], 0), None);
+}
+
+#[test]
 fn roots_moved_by_whole_tiles_grow_the_same_bits() {
     let settings = GrowSettings { count: 120, undercoat: Undercoat { count: 60, ..bare() }, clump: 0.5, ..GrowSettings::default() };
     let places: Vec<Root> = roots(&grow(&settings).unwrap()).iter().map(|r| Root::new(r[0], r[1]).unwrap()).collect();

@@ -1,11 +1,15 @@
-//! Strands sampled in a second, and pairs of a hair's piece and a texel: the time of a pair is the time over their number.
+//! Strands sampled in a second, and pairs of a hair's piece and a texel: the time of a pair is the time over their number; then pairs beside floors measured
+//! in the same run.
+#![allow(clippy::print_stdout, reason = "a benchmark prints")]
 
-use divan::{Bencher, counter::ItemsCount};
+use divan::{Bencher, black_box, counter::ItemsCount};
 use pelage_strand::{GrowSettings, StrandTile, grow};
 use pelage_volume::{FinSettings, ShellSettings, sample_fin, sample_shells};
+use std::time::Instant;
 
 fn main() {
     divan::main();
+    ratios();
 }
 
 /// The default coat, bare of panics: an empty box if it would not grow.
@@ -22,30 +26,64 @@ fn settings(resolution: u32, layers: u32) -> ShellSettings {
 fn strands_by_resolution(bencher: Bencher<'_, '_>, resolution: u32) {
     let tile = coat();
     let settings = settings(resolution, 16);
-    bencher.counter(ItemsCount::new(tile.strand_count())).bench(|| sample_shells(&tile, divan::black_box(&settings)));
+    bencher.counter(ItemsCount::new(tile.strand_count())).bench(|| sample_shells(&tile, black_box(&settings)));
 }
 
-/// The counter is (piece, texel) pairs at 128² in 16 layers, mips and encoding included.
+/// The counter is (piece, texel) pairs at 128², mips and encoding included.
 #[divan::bench(args = [8, 16, 32, 64], sample_count = 5, sample_size = 1)]
 fn pairs_by_layers(bencher: Bencher<'_, '_>, layers: u32) {
     let tile = coat();
     let settings = settings(128, layers);
     let pairs = sample_shells(&tile, &settings).map_or(0, |stack| stack.work.pairs);
-    bencher.counter(ItemsCount::new(pairs)).bench(|| sample_shells(&tile, divan::black_box(&settings)));
-}
-
-/// The same on one thread: what a pair costs.
-#[divan::bench(sample_count = 5, sample_size = 1)]
-fn pairs_on_one_thread(bencher: Bencher<'_, '_>) {
-    let tile = coat();
-    let settings = settings(128, 16);
-    let pairs = sample_shells(&tile, &settings).map_or(0, |stack| stack.work.pairs);
-    let Ok(pool) = rayon::ThreadPoolBuilder::new().num_threads(1).build() else { return };
-    bencher.counter(ItemsCount::new(pairs)).bench(|| pool.install(|| sample_shells(&tile, divan::black_box(&settings))));
+    bencher.counter(ItemsCount::new(pairs)).bench(|| sample_shells(&tile, black_box(&settings)));
 }
 
 #[divan::bench(sample_count = 5, sample_size = 1)]
 fn fin(bencher: Bencher<'_, '_>) {
     let tile = coat();
-    bencher.bench(|| sample_fin(&tile, divan::black_box(&FinSettings::default())));
+    bencher.bench(|| sample_fin(&tile, black_box(&FinSettings::default())));
+}
+
+/// The best of five on one thread, in nanoseconds an item.
+fn best(items: u64, mut work: impl FnMut() + Send) -> f64 {
+    let Ok(pool) = rayon::ThreadPoolBuilder::new().num_threads(1).build() else { return f64::NAN };
+    let time = (0..5).fold(f64::INFINITY, |best, _| {
+        let start = Instant::now();
+        pool.install(&mut work);
+        best.min(start.elapsed().as_nanos() as f64)
+    });
+    time / items.max(1) as f64
+}
+
+/// All of a stack's time by the pair, on one thread, beside adding a number to a texel and beside one erf for each pair.
+fn ratios() {
+    let tile = coat();
+    println!(
+        "\non one thread, ns a (piece, texel) pair, everything included; a pair holds four erf across and along, and a bell where hair fades"
+    );
+    for (resolution, layers) in [(128, 16), (128, 64), (256, 16)] {
+        let settings = settings(resolution, layers);
+        let pairs = sample_shells(&tile, &settings).map_or(0, |stack| stack.work.pairs);
+        let ours = best(pairs, || {
+            black_box(sample_shells(&tile, black_box(&settings)).is_ok());
+        });
+        let mut texels = vec![0.0f32; (resolution * resolution) as usize];
+        let add = best(pairs, || {
+            let mut left = pairs as usize;
+            while left > 0 {
+                let some = left.min(texels.len());
+                texels[..some].iter_mut().zip(1u32..).for_each(|(texel, i)| *texel += i as f32);
+                black_box(&mut texels);
+                left -= some;
+            }
+        });
+        let erf = best(pairs, || {
+            black_box((0..pairs).map(|i| libm::erff(i as f32 * 1e-6)).sum::<f32>());
+        });
+        println!(
+            "{layers} × {resolution}²: {pairs} pairs, {ours:.1} ns; adding to a texel {add:.2} ns, {:.0} times less; one erf {erf:.1} ns, ours {:.1} times that",
+            ours / add,
+            ours / erf
+        );
+    }
 }

