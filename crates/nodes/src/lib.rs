@@ -28,6 +28,7 @@
 //! `gpu` (default): drawing. Without it every node but `RenderImage` evaluates, and nothing of wgpu is built.
 
 mod coat;
+mod creature;
 mod fields;
 mod framing;
 mod hair;
@@ -40,6 +41,7 @@ mod shading;
 mod stats;
 
 pub use coat::LayFur;
+pub use creature::{Animal, BodyPart, CreatureNode, PartFields, PartFur};
 pub use fields::{ColourRamp, DirectionConstraint, DirectionFieldNode, DirectionPoint, ImageField, PointFlow, ScalarRamp};
 pub use framing::{CameraNode, Framing};
 pub use hair::{FinDirection, GrowStrands, HairStyle, HairUndercoat, SampleFin, SampleShells};

@@ -1,6 +1,7 @@
 //! The list of all nodes, and an engine that can run them.
 
 use pelage_coat::{Coat, FinTexture, Light, ShellTexture};
+use pelage_creature::Creature;
 use pelage_field::{ColourField, DirectionField, ScalarField};
 use pelage_graph::{Evaluator, Registry};
 use pelage_lighting::Shading;
@@ -14,6 +15,7 @@ use crate::Framing;
 pub fn registry() -> Registry {
     let registry = Registry::new()
         .value::<Mesh>("Mesh", Mesh::byte_size)
+        .value::<Creature>("Creature", |creature| creature.mesh().byte_size())
         .value::<RepairReport>("RepairReport", |_| size_of::<RepairReport>())
         .value::<DirectionField>("DirectionField", |field| size_of_val(field.vectors()))
         .value::<ScalarField>("ScalarField", |field| size_of_val(field.values()))
@@ -31,10 +33,12 @@ pub fn registry() -> Registry {
         .node::<crate::Sphere>()
         .node::<crate::Torus>()
         .node::<crate::RoundedDie>()
+        .node::<crate::CreatureNode>()
         .node::<crate::DirectionFieldNode>()
         .node::<crate::ScalarRamp>()
         .node::<crate::ColourRamp>()
         .node::<crate::ImageField>()
+        .node::<crate::PartFields>()
         .node::<crate::GrowPatches>()
         .node::<crate::GrowStrands>()
         .node::<crate::SampleShells>()

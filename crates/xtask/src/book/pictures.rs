@@ -45,6 +45,9 @@ const PICTURES: &[Picture] = &[
     Picture { file: "ring.png", graph: "graphs/ring.ron", set: &[], size: HALF },
     Picture { file: "ball.png", graph: "graphs/ball.ron", set: &[], size: HALF },
     Picture { file: "die.png", graph: "graphs/die.ron", set: &[], size: HALF },
+    Picture { file: "fox.png", graph: "graphs/fox.ron", set: &[], size: HALF },
+    Picture { file: "cat.png", graph: "graphs/cat.ron", set: &[], size: HALF },
+    Picture { file: "bear.png", graph: "graphs/bear.ron", set: &[], size: HALF },
 ];
 
 const FOLDER: &str = "book/src/pictures";
