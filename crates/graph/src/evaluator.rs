@@ -47,7 +47,7 @@ impl Evaluator {
         self
     }
 
-    /// With a resource that nodes get by [`Context::resource`], made when the first asks for it.
+    /// With a resource that nodes get by [`Context::resource`](crate::Context::resource), made when the first asks for it.
     #[must_use]
     pub fn resource<R, E>(mut self, make: impl Fn() -> Result<R, E> + Send + Sync + 'static) -> Self
     where

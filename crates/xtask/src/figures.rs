@@ -17,6 +17,10 @@ struct Figure {
 /// In the order in which data flows.
 const FIGURES: &[Figure] = &[
     Figure { what: "half-edges beside a sort of the same keys", cargo: "bench -p pelage-mesh --bench build" },
+    Figure {
+        what: "half-edges and walks beside those of the crates that people would use instead",
+        cargo: "bench --manifest-path tests/rivals/Cargo.toml",
+    },
     Figure { what: "import beside the parser alone, repair beside a sort", cargo: "bench -p pelage-mesh --bench import" },
     Figure {
         what: "walks beside plain arrays, geodesic distance beside Dijkstra's, rays beside obvhs alone and all faces",
@@ -67,7 +71,7 @@ mod tests {
         });
         let there: BTreeSet<String> = benches.collect();
         let printed =
-            FIGURES.iter().map(|figure| figure.cargo).chain(OF_PICTURES.iter().copied()).filter(|line| line.starts_with("bench "));
+            FIGURES.iter().map(|figure| figure.cargo).chain(OF_PICTURES.iter().copied()).filter(|line| line.starts_with("bench -p "));
         assert_eq!(there, printed.map(str::to_owned).collect());
     }
 }
