@@ -8,6 +8,7 @@ use rand_pcg::Pcg64;
 const CAPS: &[(&str, i128)] = &[
     ("subdivisions", 6),
     ("cells", 10),
+    ("faces", 600),
     ("count", 40),
     ("steps", 8),
     ("layers", 6),

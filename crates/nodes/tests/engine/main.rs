@@ -6,6 +6,7 @@ mod random;
 mod saved;
 
 use pelage_coat::{Coat, FinTexture, Light, ShellTexture};
+use pelage_creature::Creature;
 use pelage_field::{ColourField, DirectionField, ScalarField};
 use pelage_graph::{CheckedGraph, EvaluateError, Evaluation, Evaluator, Registry, Request, Value};
 use pelage_lighting::Shading;
@@ -36,7 +37,9 @@ fn print(value: &Value) -> String {
         Shading,
         pelage_mesh::RepairReport
     );
-    printed.unwrap_or_else(|| panic!("{} cannot be compared", value.type_name()))
+    // Its shapes show in where its skin is and in how fur lies on it.
+    let creature = || value.downcast_ref::<Creature>().map(|creature| format!("{:?} {:?}", creature.mesh(), creature.lie()));
+    printed.or_else(creature).unwrap_or_else(|| panic!("{} cannot be compared", value.type_name()))
 }
 
 /// Asks for every output of the nodes that draw nothing.

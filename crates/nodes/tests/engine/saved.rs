@@ -17,6 +17,7 @@ fn graphs() -> Vec<(String, Graph)> {
         let nodes: Vec<(String, String)> = graph.nodes.iter().map(|(id, node)| (id.to_string(), node.kind.clone())).collect();
         for (id, kind) in nodes {
             let settings: &[(&str, &str)] = match kind.as_str() {
+                "Creature" => &[("faces", "600")],
                 "GrowStrands" => &[("count", "80"), ("undercoat.count", "80")],
                 "SampleShells" => &[("layers", "4"), ("resolution", "32")],
                 "SampleFin" => &[("size", "(64, 16)")],
