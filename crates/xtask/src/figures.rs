@@ -26,6 +26,7 @@ const FIGURES: &[Figure] = &[
         what: "walks beside plain arrays, geodesic distance beside Dijkstra's, rays beside obvhs alone and all faces",
         cargo: "bench -p pelage-mesh --bench surface",
     },
+    Figure { what: "animals by their number of faces", cargo: "bench -p pelage-creature --bench mesh" },
     Figure { what: "direction fields from 5,000 to 1,000,000 faces", cargo: "bench -p pelage-field --bench direction" },
     Figure { what: "patches from 1,000 to 1,000,000 faces, and the 5,000-face bunny", cargo: "bench -p pelage-patch --bench grow" },
     Figure { what: "strands grown a second", cargo: "bench -p pelage-strand --bench grow" },
