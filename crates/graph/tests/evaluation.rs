@@ -158,6 +158,32 @@ fn requirements_travel_upstream() {
     assert!(ran(&evaluator).is_empty());
 }
 
+/// Both outputs are made of the same, so that only their names tell them apart.
+#[test]
+fn outputs_made_of_the_same_are_told_apart() {
+    /// Two numbers about one.
+    #[derive(Node)]
+    #[node(category = "Numbers")]
+    #[output(below: f64, "One less.")]
+    #[output(above: f64, "One more.")]
+    struct Neighbours {
+        /// The number.
+        #[param(default = 5.0, range = -1000.0..=1000.0, unit = "1", effect = "moves both results")]
+        of: f64,
+    }
+    impl Evaluate for Neighbours {
+        fn evaluate(&self, cx: &mut pelage_graph::Context<'_>) -> Result<Self::Outputs, NodeError> {
+            let made = |port: &str, value: f64| cx.wants(port).then(|| Arc::new(value));
+            Ok(NeighboursOutputs { below: made("below", self.of - 1.0), above: made("above", self.of + 1.0) })
+        }
+    }
+    let registry = Registry::new().node::<Neighbours>();
+    let graph = Graph::parse(r#"Graph(version: 1, nodes: {"n": Neighbours()})"#).unwrap().check(&registry).unwrap();
+    let mut evaluator = Evaluator::new(1 << 20);
+    let mut value = |output: &str| *evaluator.run(&graph, &Request::output(output)).unwrap().main::<f64>().unwrap();
+    assert_eq!((value("n.below"), value("n.above"), value("n.below")), (4.0, 6.0, 4.0));
+}
+
 #[test]
 fn only_declared_context_is_in_the_key() {
     let text = r#"Graph(version: 1, nodes: {

@@ -11,6 +11,8 @@
 //! cargo fuzz run --fuzz-dir tests/fuzz --sanitizer none --features libfuzzer obj target/fuzz/obj tests/fuzz/corpus/obj -- -max_total_time=600
 //! ```
 
+mod graph;
 mod mesh;
 
+pub use graph::graph;
 pub use mesh::{obj, repair};
