@@ -1,12 +1,78 @@
 //! Parsing, checking and running a layered graph: `cargo bench -p pelage-graph`.
 
+#![allow(clippy::print_stdout, reason = "a benchmark prints")]
+
+use std::path::Path;
 use std::sync::Arc;
+use std::time::{Duration, Instant};
 
 use divan::{Bencher, black_box};
 use pelage_graph::{Context, Evaluate, Evaluator, Graph, Node, NodeError, Registry, Request};
 
 fn main() {
+    wide();
+    println!();
     divan::main();
+}
+
+/// Works for a while, and says what came of it.
+#[derive(Node)]
+#[node(category = "Numbers")]
+#[output(value: f64, "What came of it.")]
+struct Work {
+    /// Where it begins.
+    #[param(default = 0, unit = "seed")]
+    seed: u64,
+}
+
+impl Evaluate for Work {
+    fn evaluate(&self, _: &mut Context<'_>) -> Result<Self::Outputs, NodeError> {
+        Ok(work(self.seed).into())
+    }
+}
+
+/// Some tenths of a millisecond of arithmetic that nothing can be left out of.
+fn work(seed: u64) -> f64 {
+    (0..100_000).fold(seed as f64, |x, _| black_box(x * 0.999 + 1.0))
+}
+
+const WIDE: usize = 200;
+
+/// Nodes that do not wait for each other, beside the same work on as many plain threads: what is left over is the engine's.
+fn wide() {
+    let nodes: Vec<String> = (0..WIDE).map(|index| format!("\"n{index}\": Work(seed: {index})")).collect();
+    let registry = Registry::new().node::<Work>();
+    let text = format!("Graph(version: 1, nodes: {{\n{}\n}})", nodes.join(",\n"));
+    let Ok(Ok(graph)) = Graph::parse(&text).map(|graph| graph.check(&registry)) else { return };
+    let request = (0..WIDE).fold(Request::default(), |request, index| request.and_output(&format!("n{index}.value")));
+    println!("{WIDE} nodes that do not wait for each other, beside the same work on plain threads (least of 9, ms)");
+    for threads in [1, 2] {
+        let (mut run, mut floor) = (Duration::MAX, Duration::MAX);
+        for _ in 0..9 {
+            run = run.min(time(|| Evaluator::new(0).threads(threads).run(&graph, &request).is_ok()));
+            floor = floor.min(time(|| on_plain_threads(threads)));
+        }
+        let [run, floor] = [run, floor].map(|time| time.as_secs_f64() * 1e3);
+        println!(
+            "  {threads} threads: {run:6.2}, floor {floor:6.2}, ratio {:.3}, {:.1} µs a node over it",
+            run / floor,
+            (run - floor) * 1e3 / WIDE as f64
+        );
+    }
+}
+
+fn on_plain_threads(threads: usize) {
+    std::thread::scope(|scope| {
+        for thread in 0..threads {
+            scope.spawn(move || (thread..WIDE).step_by(threads).map(|seed| work(seed as u64)).sum::<f64>());
+        }
+    });
+}
+
+fn time<T>(work: impl FnOnce() -> T) -> Duration {
+    let start = Instant::now();
+    black_box(work());
+    start.elapsed()
 }
 
 /// Adds two numbers, or begins with one.
@@ -76,4 +142,17 @@ fn run_all_hits(bencher: Bencher<'_, '_>, nodes: usize) {
 fn save(bencher: Bencher<'_, '_>, nodes: usize) {
     let graph = Graph::parse(&text(nodes));
     bencher.bench(|| graph.as_ref().map(Graph::to_ron).ok());
+}
+
+/// One parameter changed in a file of so many nodes, and saved: every other byte is kept.
+#[divan::bench(args = SIZES)]
+fn set_and_save(bencher: Bencher<'_, '_>, nodes: usize) {
+    let registry = Registry::new().node::<Add>();
+    let graph = Graph::parse(&text(nodes));
+    bencher.with_inputs(|| graph.clone()).bench_values(|graph| {
+        graph.ok().and_then(|mut graph| {
+            graph.set(&registry, "n3.c", "7.25", Path::new(".")).ok()?;
+            Some(graph.to_ron())
+        })
+    });
 }

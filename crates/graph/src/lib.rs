@@ -97,7 +97,10 @@
 //!
 //! *Evaluation.* Keys and caching are per output, so that what is wanted is in the key and a later run that wants more shares what an earlier
 //! one made. This is the key of ComfyUI's `caching.py` and Graphite's `proto.rs` (hash of kind, version, parameters and input keys), taken to single ports.
-//! Requirements travel upstream by [`Evaluate::needs`].
+//! Requirements travel upstream by [`Evaluate::needs`]. Steps that do not wait for each other run side by side on threads of the run's own.
+//!
+//! *Saving.* The tree of what the graph says is laid beside the tree that was read, and only where they differ is text written anew; a graph made from nothing
+//! is an edited empty file. *Older versions* are brought up to today's by one step a version, on the tree, before anything knows of types.
 
 // The derives name the crate; its own tests and documentation use them too.
 extern crate self as pelage_graph;
