@@ -45,7 +45,7 @@ fn tree(graph: &Graph, old: &Literal) -> Literal {
             "version" => Some(Literal { place: old.and_then(|old| old.place), ..i64::from(Graph::VERSION).into() }),
             "title" => graph.title.as_deref().map(Literal::from),
             "about" => graph.about.as_deref().map(Literal::from),
-            "nodes" => Some(nodes(graph)),
+            "nodes" => (old.is_some() || !graph.nodes.is_empty()).then(|| nodes(graph)),
             "output" => graph.output.as_deref().map(Literal::from),
             "layout" => (old.is_some() || !graph.layout.is_empty()).then(|| layout(graph, entries(old), entries(find("nodes")))),
             _ => None,

@@ -455,3 +455,10 @@ proptest! {
         prop_assert!(old.match_indices('2').any(|(index, _)| changed == format!("{}{new}{}", &old[..index], &old[index + 1..])), "{old} -> {changed}");
     }
 }
+
+/// Found by fuzzing: `nodes: {}` was added.
+#[test]
+fn a_file_without_nodes_is_saved_without_them() {
+    let text = "Graph(\n    version: 1,\n    nodezs: { \"a\": Constant() },\n)\n";
+    assert_eq!(Graph::parse(text).unwrap().to_ron(), text);
+}
