@@ -6,7 +6,8 @@
 //! A step is for a change of the format. A node or a field that has another name now needs none: its specification says what it was
 //! called (`#[node(was("…"))]`).
 
-use crate::literal::{Literal, Name, Shape};
+use crate::literal::{Literal, Name, Shape, identifier};
+use crate::read::read;
 
 /// Takes a tree to the next version.
 type Step = fn(&mut Literal);
@@ -40,7 +41,7 @@ fn links_and_kinds(tree: &mut Literal) {
 fn kind(node: &mut Literal) {
     let Shape::Record(None, parts) = &node.shape else { return };
     let Some(kind) = parts.iter().find_map(|(name, value)| match &value.shape {
-        Shape::Text(kind) if name.text == "kind" => Some(kind.clone()),
+        Shape::Text(kind) if name.text == "kind" && is_name(kind) => Some(kind.clone()),
         _ => None,
     }) else {
         return;
@@ -60,6 +61,11 @@ fn kind(node: &mut Literal) {
         }
     }
     node.shape = Shape::Record(Some(kind), fields);
+}
+
+/// Whether a text can stand as a name in a file: any text could be a kind once.
+fn is_name(text: &str) -> bool {
+    matches!(read(&format!("{}(a: 1)", identifier(text))), Ok(Literal { shape: Shape::Record(Some(name), _), .. }) if name == text)
 }
 
 /// One link, or a list of them.

@@ -89,3 +89,15 @@ fn a_former_name_that_is_taken_is_a_fault_of_the_registry() {
     let faults = Registry::new().node::<fixture::Constant>().node::<Other>().validate().unwrap_err().to_string();
     assert!(faults.contains("Constant is the name of a kind") && faults.contains("two fields are called \"b\""), "{faults}");
 }
+
+/// Found by fuzzing: the kind was written as a name, which no file can hold.
+#[test]
+fn a_kind_that_is_no_name_is_a_fault_and_stays_a_text() {
+    for kind in ["All\u{14}\0", "", "A b", "Add(", "Add(a: 1), //"] {
+        let text = format!("Graph(version: 0, nodes: {{ \"a\": (kind: {kind:?}) }})");
+        let graph = Graph::parse(&text).unwrap();
+        let saved = graph.to_ron();
+        assert_eq!(Graph::parse(&saved).map(|again| again.to_ron()).as_ref(), Ok(&saved), "{kind:?}");
+        assert!(graph.check(&registry()).unwrap_err().to_string().contains("expected a node"), "{kind:?}");
+    }
+}
