@@ -81,15 +81,19 @@ impl Reduction<'_> {
         Candidate { cost: length * (1.0 + wide * wide), half_edge, ages: self.ends_ages(half_edge) }
     }
 
+    /// To the surface under the middle of the edge; where that would spoil a face, to one of its ends. Marching cubes leaves knots of vertices far closer
+    /// than a cell: there any new place makes some needle a little worse, and only an end leaves those of the other vertices as they are.
     fn try_collapse(&mut self, half_edge: u32) {
         let (u, v) = (self.skin.origin(half_edge), self.skin.tip(half_edge));
         let (a, b) = (self.skin.at(u), self.skin.at(v));
-        let to = self.body.project(a.midpoint(b), a.distance(b), 2);
-        let normal = self.body.value_and_gradient(to).1.normalize_or_zero();
         let before = Worst::of([u, v].into_iter().flat_map(|end| self.skin.facets(end)));
-        if !Worst::of(self.moved(u, v, to, normal).chain(self.moved(v, u, to, normal))).may_replace(before) {
-            return;
-        }
+        let fits = |&(to, normal): &(DVec3, DVec3)| {
+            Worst::of(self.moved(u, v, to, normal).chain(self.moved(v, u, to, normal))).may_replace(before)
+        };
+        let middle = self.body.project(a.midpoint(b), a.distance(b), 2);
+        let middle = (middle, self.body.value_and_gradient(middle).1.normalize_or_zero());
+        let ends = [v, u].map(|end| (self.skin.at(end), self.skin.normals[end as usize]));
+        let Some((to, normal)) = [middle, ends[0], ends[1]].into_iter().find(fits) else { return };
         self.thickness[v as usize] = 0.5 * (self.thickness[u as usize] + self.thickness[v as usize]);
         self.skin.collapse(half_edge, to, normal);
         self.ages[v as usize] += 1;

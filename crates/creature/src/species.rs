@@ -92,7 +92,7 @@ fn bear() -> Plan {
     Plan {
         trunk: Trunk { chest: 0.36, belly: 0.37, rump: 0.37, width: 0.86, arch: 0.05 },
         neck: Neck { length: 0.2, thickness: 0.25, pitch: 14.0 },
-        head: Head { radius: 0.235, muzzle: 0.55, muzzle_thickness: 0.46, pitch: 16.0, nose: 0.46, eyes: 0.1 },
+        head: Head { radius: 0.235, muzzle: 0.55, muzzle_thickness: 0.46, pitch: 16.0, nose: 0.46, eyes: 0.2 },
         ears: Ears { length: 0.32, width: 0.31, tip: 1.0, spread: 44.0, lean: 5.0, droop: 0.0 },
         legs: Limbs { fore: 0.3, hind: 0.27, thigh: 0.17, ankle: 0.1, paw: 0.115, toes: 0.9, bend: 0.08, gap: 0.2, reach: 1.0 },
         leg_pairs: 2,

@@ -56,6 +56,9 @@ fn the_resolution_does_not_change_the_individual() -> Result<(), Box<dyn Error>>
         };
         let (there, back) = (nearest(mesh.positions(), fine.mesh().positions()), nearest(fine.mesh().positions(), mesh.positions()));
         assert!(there.max(back) < longest, "{}: {there} and {back}, longest edge {longest}", species.name());
+        // The same surface, to rounding, and not only one within an edge of it.
+        let off = mesh.positions().iter().map(|&p| fine.field(p).abs() / fine.gradient(p).length()).fold(0.0, f64::max);
+        assert!(off < 1e-12, "{}: the coarse one is {off} off the fine one's surface", species.name());
         let (a, b) = (Summary::of(mesh), Summary::of(fine.mesh()));
         assert!((a.signed_volume / b.signed_volume - 1.0).abs() < 0.2, "{} {}", a.signed_volume, b.signed_volume);
     }
@@ -129,6 +132,7 @@ fn weights_add_up_to_one_and_are_where_the_part_is() -> Result<(), Box<dyn Error
 fn fur_lies_from_the_nose_to_the_tail_and_down_the_legs() -> Result<(), Box<dyn Error>> {
     let creature = Creature::new(&Species::Cat.plan(), 4_000)?;
     let weights = |part| creature.weights(part, 0.02);
+    let (head, muzzle, tail) = (weights(Part::Head)?, weights(Part::Muzzle)?, weights(Part::Tail)?);
     let (trunk, paws, ears, legs) = (weights(Part::Trunk)?, weights(Part::Paws)?, weights(Part::Ears)?, weights(Part::Legs)?);
     for (vertex, way) in creature.lie().into_iter().enumerate() {
         assert!(way.length() <= 1.0 + 1e-12);
@@ -137,6 +141,10 @@ fn fur_lies_from_the_nose_to_the_tail_and_down_the_legs() -> Result<(), Box<dyn 
         assert!(paws[vertex] < 1.0 || way.z > 0.0 || way.y < 0.0, "a paw at {p}: {way}");
         assert!(ears[vertex] < 1.0 || way.y > 0.0, "an ear at {p}: {way}");
         assert!(legs[vertex] < 1.0 || way.y < 0.0, "a leg at {p}: {way}");
+        assert!(head[vertex] < 1.0 || way.z < 0.0, "the head at {p}: {way}");
+        assert!(muzzle[vertex] < 1.0 || way.z < 0.0, "the muzzle at {p}: {way}");
+        // A cat's tail is up.
+        assert!(tail[vertex] < 1.0 || way.y > 0.0 || way.z < 0.0, "the tail at {p}: {way}");
     }
     Ok(())
 }

@@ -48,7 +48,7 @@ impl From<&Animal> for Species {
 
 /// An animal from smooth implicit shapes: closed, of one piece, with well-shaped faces.
 #[derive(Node)]
-#[node(category = "Models", version = 1, name = "Creature")]
+#[node(category = "Models", version = 2, name = "Creature")]
 #[output(mesh: Mesh, "The surface. It looks along +z and stands on y = 0; from chest to rump is 1.")]
 #[output(directions: DirectionField, "How fur lies by nature: from the nose to the tail, down the legs, up the ears.")]
 #[output(creature: Creature, "The whole, which knows the part that each vertex belongs to.")]
