@@ -20,20 +20,21 @@ const ORDER: [&str; 6] = ["version", "title", "about", "nodes", "output", "layou
 pub(crate) fn to_ron(graph: &Graph) -> String {
     let kept: BTreeSet<usize> = graph.form.iter().filter_map(|fault| fault.place).map(|place| place.start).collect();
     match &graph.source {
-        Some(source) => rewrite(source, &tree(graph, &source.tree), &kept),
+        Some(source) => rewrite(source, &tree(graph, &source.tree, &kept), &kept),
         None => match read(EMPTY) {
             Ok(empty) => {
                 let source = Source { text: EMPTY.to_owned(), tree: empty };
-                rewrite(&source, &tree(graph, &source.tree), &kept)
+                rewrite(&source, &tree(graph, &source.tree, &kept), &kept)
             }
             // It is a constant and does read; if it did not, one line would do.
-            Err(_) => tree(graph, &Shape::Absent.into()).to_string(),
+            Err(_) => tree(graph, &Shape::Absent.into(), &kept).to_string(),
         },
     }
 }
 
-/// What the graph says, its fields in the order of `old`.
-fn tree(graph: &Graph, old: &Literal) -> Literal {
+/// What the graph says, its fields in the order of `old`. Of a field whose value the reader passed over, which is in `kept`, it says nothing unless there
+/// is something new to say.
+fn tree(graph: &Graph, old: &Literal, kept: &BTreeSet<usize>) -> Literal {
     let (name, old) = match &old.shape {
         Shape::Record(name, fields) => (name.clone(), fields.as_slice()),
         _ => (Some("Graph".to_owned()), &[][..]),
@@ -41,13 +42,14 @@ fn tree(graph: &Graph, old: &Literal) -> Literal {
     let find = |field: &str| old.iter().find(|(name, _)| name.text == field).map(|(_, value)| value);
     let said = |field: &str| -> Option<Literal> {
         let old = find(field);
+        let was_read = old.is_some_and(|old| old.place.is_none_or(|place| !kept.contains(&place.start)));
         match field {
             "version" => Some(Literal { place: old.and_then(|old| old.place), ..i64::from(Graph::VERSION).into() }),
             "title" => graph.title.as_deref().map(Literal::from),
             "about" => graph.about.as_deref().map(Literal::from),
-            "nodes" => (old.is_some() || !graph.nodes.is_empty()).then(|| nodes(graph)),
+            "nodes" => (was_read || !graph.nodes.is_empty()).then(|| nodes(graph)),
             "output" => graph.output.as_deref().map(Literal::from),
-            "layout" => (old.is_some() || !graph.layout.is_empty()).then(|| layout(graph, entries(old), entries(find("nodes")))),
+            "layout" => (was_read || !graph.layout.is_empty()).then(|| layout(graph, entries(old), entries(find("nodes")))),
             _ => None,
         }
     };
