@@ -5,7 +5,7 @@ use std::path::PathBuf;
 use clap::Args;
 
 use crate::failure::Failure;
-use crate::graph::Overrides;
+use crate::graph::{Overrides, with_files};
 use crate::output::print;
 
 #[derive(Args)]
@@ -23,12 +23,8 @@ impl Check {
         let mut faults = Vec::new();
         for path in &self.graphs {
             let checked = self.overrides.read(path, &registry).and_then(|graph| {
-                let faults = match (graph.check(&registry), graph.check_files(&registry)) {
-                    (Ok(_), files) => return files.map_err(|faults| faults.with_path(path).into()),
-                    (Err(faults), Ok(())) => faults,
-                    (Err(faults), Err(files)) => faults.and(files),
-                };
-                Err(faults.with_path(path).into())
+                graph.check(&registry).map_err(|faults| with_files(faults, &graph, &registry, path))?;
+                Ok(graph.check_files(&registry).map_err(|faults| faults.with_path(path))?)
             });
             match checked {
                 Ok(()) => {}

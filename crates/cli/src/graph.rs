@@ -3,7 +3,7 @@
 use std::path::{Path, PathBuf};
 
 use clap::Args;
-use pelage_graph::{Graph, ReadError, Registry};
+use pelage_graph::{Faults, Graph, ReadError, Registry};
 
 use crate::failure::Failure;
 
@@ -36,7 +36,16 @@ impl Overrides {
             return Ok(graph);
         }
         // Those of the file are said along with them, so that one run answers with all there is.
-        faults.extend(graph.check(registry).err().map(|of_file| of_file.with_path(path).to_string()));
+        faults.extend(graph.check(registry).err().map(|of_file| with_files(of_file, &graph, registry, path).to_string()));
         Err(Failure::Input(faults.join("\n")))
     }
+}
+
+/// The faults of a graph and those of the files that it names, so that one run answers with all there is.
+pub(crate) fn with_files(faults: Faults, graph: &Graph, registry: &Registry, path: &Path) -> Faults {
+    let all = match graph.check_files(registry) {
+        Ok(()) => faults,
+        Err(files) => faults.and(files),
+    };
+    all.with_path(path)
 }

@@ -10,7 +10,7 @@ use pelage_nodes::{FrameReport, Picture, Stats};
 use serde_json::json;
 
 use crate::failure::Failure;
-use crate::graph::Overrides;
+use crate::graph::{Overrides, with_files};
 use crate::output::write_file;
 use crate::progress::Progress;
 
@@ -60,7 +60,7 @@ impl Render {
         let registry = pelage_nodes::registry();
         let mut graph = self.overrides.read(&self.graph, &registry)?;
         // What is wrong with the file goes before what is asked of it.
-        graph.check(&registry).map_err(|faults| faults.with_path(&self.graph))?;
+        graph.check(&registry).map_err(|faults| with_files(faults, &graph, &registry, &self.graph))?;
         let output = self.output_of(&graph)?;
         self.apply_options(&mut graph, &registry, &output)?;
         let checked = graph.check(&registry).map_err(|faults| faults.with_path(&self.graph))?;

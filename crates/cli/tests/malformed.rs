@@ -222,6 +222,9 @@ fn all_faults_come_at_once() {
     for (line, begin) in message.lines().zip(begins) {
         assert!(line.starts_with(begin), "{line}\n{begin}");
     }
+    // Rendering answers with as much: an unknown kind hides no missing file.
+    let (code, message) = said(folder.path(), &["render", "one.ron", "-o", "out.png"]);
+    assert_eq!((code, message.lines().count()), (Some(1), 3), "{message}");
     let settings = ["--set", "ball.subdivisions=0", "--set", "camra.azimuth=3", "--set", "hair.style=Curley"];
     let (code, message) = said(folder.path(), &[&["render", "two.ron", "-o", "out.png"], &settings[..]].concat());
     let begins = ["error: --set ball.subdivisions=0: ", "--set camra.azimuth=3: ", "--set hair.style=Curley: ", "two.ron:3:27: "];

@@ -97,12 +97,15 @@ impl CreatureNode {
 }
 
 impl Evaluate for CreatureNode {
-    fn evaluate(&self, _: &mut Context<'_>) -> Result<Self::Outputs, NodeError> {
+    fn evaluate(&self, cx: &mut Context<'_>) -> Result<Self::Outputs, NodeError> {
         let creature = self.creature()?;
-        let directions = DirectionField::from_vectors(creature.mesh(), &creature.lie())?;
+        let directions = match cx.wants("directions") {
+            true => Some(Arc::new(DirectionField::from_vectors(creature.mesh(), &creature.lie())?)),
+            false => None,
+        };
         Ok(CreatureNodeOutputs {
-            mesh: Some(Arc::new(creature.mesh().clone())),
-            directions: Some(Arc::new(directions)),
+            mesh: cx.wants("mesh").then(|| Arc::new(creature.mesh().clone())),
+            directions,
             creature: Some(Arc::new(creature)),
         })
     }
@@ -192,6 +195,11 @@ pub struct PartFields {
 
 impl Evaluate for PartFields {
     fn evaluate(&self, _: &mut Context<'_>) -> Result<Self::Outputs, NodeError> {
+        for (index, fur) in self.parts.iter().enumerate() {
+            if self.parts[..index].iter().any(|earlier| earlier.part == fur.part) {
+                return Err(format!("parts: {:?} is given twice; leave one of them out", fur.part).into());
+            }
+        }
         let count = self.creature.mesh().positions().len();
         let (base, long) = (linear(self.colour), self.length as f32);
         let (mut colours, mut lengths) = (vec![base; count], vec![long; count]);

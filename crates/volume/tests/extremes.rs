@@ -161,6 +161,14 @@ fn shells_pass_as_much_light_in_any_number_of_layers_where_hair_is_close() {
 }
 
 #[test]
+fn shells_of_upright_open_hair_show_it_once_however_many_layers() {
+    // The share that stands under hair is seen once, but for the texels at its edge.
+    let open = grow(&GrowSettings { count: 150, lean: 0.0, undercoat: bare(), ..GrowSettings::default() }).unwrap();
+    let clear = |layers| sampled(&open, layers, 128).transmittance(0, [0.0, 0.0]).unwrap();
+    assert!((clear(16) - clear(32)).abs() < 0.05, "{} {}", clear(16), clear(32));
+}
+
+#[test]
 fn shells_of_sparse_hair_pass_what_the_strands_do_from_the_stated_layer_count_up() {
     let slope = 75f64.to_radians().tan();
     for count in [150, 400] {
