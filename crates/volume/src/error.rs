@@ -38,6 +38,18 @@ pub enum VolumeError {
         /// The bound, [`crate::MAX_TEXELS`].
         limit: u64,
     },
+    /// One hair runs on for so long that its window would not fit the bound on working memory.
+    #[error(
+        "strand {strand} spans a window of {asked:.3e} texels, but at most {limit} are sampled for one: shorten the strand or lower the resolution"
+    )]
+    StrandTooWide {
+        /// Its number in the tile.
+        strand: usize,
+        /// Texels of its window.
+        asked: f64,
+        /// The bound, [`crate::MAX_TEXELS`].
+        limit: u64,
+    },
     /// The box of hair has no height, so there is nowhere to put layers.
     #[error("the hair's box is {height} tile sides high: its height must be positive and finite")]
     NoHeight {

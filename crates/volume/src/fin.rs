@@ -4,6 +4,7 @@ use pelage_strand::{Strand, StrandTile};
 use rayon::prelude::*;
 
 use crate::error::{VolumeError, power_of_two, within};
+use crate::extent::check_extents;
 use crate::footprint::{Footprint, Kind, Piece};
 use crate::image::{FinTexture, Work};
 use crate::mips::image_mips;
@@ -59,7 +60,7 @@ impl FinSettings {
 /// Composites a slab of hair front to back into a fin with mips: the skin at the bottom row, the tips at the top.
 ///
 /// # Errors
-/// Settings out of range, or a box without height.
+/// Settings out of range, a box without height, or a strand that runs on for too long.
 pub fn sample_fin(tile: &StrandTile, settings: &FinSettings) -> Result<FinTexture, VolumeError> {
     settings.validate()?;
     let height = tile.height();
@@ -67,6 +68,7 @@ pub fn sample_fin(tile: &StrandTile, settings: &FinSettings) -> Result<FinTextur
         return Err(VolumeError::NoHeight { height });
     }
     let view = SideView::new(tile, settings);
+    check_extents(tile, view.scale, [view.axes().0, 2])?;
     let hairs = view.hairs(tile);
     // Rows of hair are independent of each other only where they do not overlap, so one thread composites; cutting hair into pieces is shared out.
     let cut: Vec<(Vec<Piece>, f64)> = hairs.par_iter().map(|hair| view.pieces(hair)).collect();

@@ -24,6 +24,7 @@
 mod blur;
 mod composite;
 mod error;
+mod extent;
 mod fin;
 mod footprint;
 mod gauss;

@@ -5,6 +5,7 @@ use rayon::prelude::*;
 
 use crate::blur::blur;
 use crate::error::{VolumeError, power_of_two, within};
+use crate::extent::check_extents;
 use crate::footprint::Footprint;
 use crate::image::{ShellStack, Work};
 use crate::mips::{MipRule, shell_mips};
@@ -77,13 +78,14 @@ impl ShellSettings {
 /// as independent, 1 − Π(1 − a). Layer 0 is opaque: hair over skin. The same bytes come out whatever the number of threads.
 ///
 /// # Errors
-/// Settings out of range, or a box without height.
+/// Settings out of range, a box without height, or a strand that runs on for too long.
 pub fn sample_shells(tile: &StrandTile, settings: &ShellSettings) -> Result<ShellStack, VolumeError> {
     settings.validate()?;
     let height = tile.height();
     if !(height.is_finite() && height > 0.0) {
         return Err(VolumeError::NoHeight { height });
     }
+    check_extents(tile, [f64::from(settings.resolution); 2], [0, 1])?;
     let spans: Vec<(f32, f32)> = tile.strands().map(|strand| span(&strand)).collect();
     let sampled: Vec<(Plane, Work)> =
         (0..settings.layers).into_par_iter().map(|layer| sample_layer(tile, &spans, settings, layer)).collect();

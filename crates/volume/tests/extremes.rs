@@ -3,7 +3,7 @@
 #![allow(clippy::unwrap_used, reason = "a test that cannot go on fails")]
 
 use pelage_strand::{GrowSettings, StrandSource, StrandTile, Style, Undercoat, grow};
-use pelage_volume::{ShellSettings, ShellStack, layers_for, sample_shells};
+use pelage_volume::{FinSettings, ShellSettings, ShellStack, VolumeError, layers_for, sample_fin, sample_shells};
 use std::f64::consts::PI;
 
 fn bare() -> Undercoat {
@@ -192,4 +192,22 @@ fn shells_along_the_normal_neither_thin_nor_thicken_as_layers_double() {
         let open = sampled(&tile, layers, 512).transmittance(0, [0.0, 0.0]).unwrap();
         assert!((open - wanted).abs() < 0.03, "{layers} layers: {open} of {wanted}");
     }
+}
+
+#[test]
+fn a_strand_that_runs_on_for_too_long_is_refused() {
+    let source = |reach: f64| StrandSource {
+        points: vec![[0.5, 0.5, 0.0], [0.5 + reach, 0.5 + reach, 0.3]],
+        radii: vec![0.01, 0.0],
+        root_colour: [1.0; 3],
+        tip_colour: [1.0; 3],
+    };
+    for reach in [1e3, 9e5] {
+        let tile = StrandTile::from_strands(0.3, &[source(0.2), source(reach)]).unwrap();
+        let refused = |error: VolumeError| matches!(error, VolumeError::StrandTooWide { strand: 1, .. });
+        assert!(refused(sample_shells(&tile, &ShellSettings::default()).unwrap_err()));
+        assert!(refused(sample_fin(&tile, &FinSettings { width: 8192, height: 2048, ..FinSettings::default() }).unwrap_err()));
+    }
+    let long = StrandTile::from_strands(0.3, &[source(20.0)]).unwrap();
+    assert!(sample_shells(&long, &ShellSettings::default()).is_ok());
 }
