@@ -79,8 +79,7 @@ impl<'t> Rewriter<'t> {
         let (mut olds, mut seen) = (Vec::new(), HashMap::new());
         for (index, item) in old.items.iter().enumerate() {
             let Some((start, end)) = self.span(item) else { continue };
-            let value_start = item.value.place.map_or(start, |place| place.start);
-            if !stays.contains(&index) && (self.kept.contains(&start) || self.kept.contains(&value_start)) {
+            if !stays.contains(&index) && self.was_passed_over(item) {
                 continue;
             }
             if stays.contains(&index) {
@@ -95,6 +94,15 @@ impl<'t> Rewriter<'t> {
             None => (None, self.fresh(item, &sequence, &old.items, depth)),
         });
         sequence.write(lines.collect())
+    }
+
+    /// Whether the reader had a fault to find with its key or its value, and no place for it in the graph.
+    fn was_passed_over(&self, item: &Item<'_>) -> bool {
+        let key = item.key.and_then(|key| match key {
+            Key::Name(name) => name.place,
+            Key::Value(key) => key.place,
+        });
+        [key, item.value.place].into_iter().flatten().any(|place| self.kept.contains(&place.start))
     }
 
     /// First and last byte of an item.

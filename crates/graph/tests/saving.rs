@@ -459,8 +459,13 @@ proptest! {
 /// Found by fuzzing: `nodes: {}` was added, or put in the place of what is no map.
 #[test]
 fn a_file_without_a_map_of_nodes_is_saved_without_one() {
-    let fields =
-        ["nodezs: { \"a\": Constant() }", "nodes: \"A\"", "nodes: [],\n    layout: 3", "nodes: \"A\",\n    nodes: { \"a\": Constant() }"];
+    let fields = [
+        "nodezs: { \"a\": Constant() }",
+        "nodes: \"A\"",
+        "nodes: [],\n    layout: 3",
+        "nodes: \"A\",\n    nodes: { \"a\": Constant() }",
+        "nodes: {}, r#tle: 3",
+    ];
     for field in fields {
         let text = format!("Graph(\n    version: 1,\n    {field},\n)\n");
         assert_eq!(Graph::parse(&text).unwrap().to_ron(), text);
