@@ -61,3 +61,8 @@ pub use summary::Summary;
 pub use topology::{BrokenInvariant, Topology, TopologyError};
 pub use vector::{angle_between, unit};
 pub use views::{BoundaryLoop, Component, Components, Edge, Face, HalfEdge, Rings, Surface, Vertex};
+
+/// The example of the read-me, kept working.
+#[cfg(doctest)]
+#[doc = include_str!("../README.md")]
+struct Readme;

@@ -6,8 +6,8 @@ use pelage_mesh::Mesh;
 pub const DEFAULT_TILE_FRACTION: f64 = 0.08;
 /// Splotch diameter that suits most models, in tiles.
 pub const DEFAULT_PATCH_EXTENT: f64 = 0.9;
-/// The weight of alignment at which, on animals of 5,000 faces, hair strays 3° to 7° from the field on the mean and
-/// is stretched by 4 % to 8 % on the median.
+/// The weight of alignment at which, on animals of 5,000 faces, hair strays 2° to 8° from the field on the mean and
+/// is stretched by 1 % to 8 % on the median.
 pub const DEFAULT_ALIGNMENT: f64 = 0.5;
 /// Greatest stretch of any face.
 pub const DEFAULT_MAX_STRETCH: f64 = 2.0;

@@ -87,7 +87,8 @@ impl Repaired {
 /// Makes an oriented manifold of polygons, whatever they are, and counts what was mended.
 ///
 /// Polygons that are a surface already keep their vertices, corners and order, bit for bit; see [`RepairReport`] for what is done to others.
-/// Scale and place of the model change nothing as long as its coordinates hold the digits. Time is near linear, O(n log n), and the same input gives the same bits.
+/// Scale and place of the model change nothing as long as its coordinates hold the digits. Time is near linear, O(n log n), for models that do not lie
+/// in one plane across a line that is slanted so that none does; the same input gives the same bits.
 ///
 /// # Errors
 /// Where there is nothing to make a surface of, a position is no number, or an index leads nowhere.
