@@ -5,8 +5,8 @@ use std::collections::HashMap;
 use crate::parts::{Item, same};
 
 /// For each new item the old one that it is: the one that it was read from, or that has its name, or, without names, that says the same or
-/// has its position. No old one is taken twice.
-pub(crate) fn matched(old: &[Item<'_>], new: &[Item<'_>]) -> Vec<Option<usize>> {
+/// has its position. No old one is taken twice, and one that was `passed_over` only where no other has the name.
+pub(crate) fn matched(old: &[Item<'_>], new: &[Item<'_>], passed_over: impl Fn(&Item<'_>) -> bool) -> Vec<Option<usize>> {
     let mut matching = Matching { pairs: vec![None; new.len()], taken: vec![false; old.len()] };
     let at: HashMap<(usize, usize), usize> =
         old.iter().enumerate().filter_map(|(index, item)| item.value.place.map(|place| ((place.start, place.end), index))).collect();
@@ -19,6 +19,7 @@ pub(crate) fn matched(old: &[Item<'_>], new: &[Item<'_>]) -> Vec<Option<usize>> 
         for (index, item) in old.iter().enumerate() {
             called.entry(name(item)).or_default().push(index);
         }
+        called.values_mut().for_each(|named| named.sort_by_key(|&index| passed_over(&old[index])));
         matching.pass(new, |_, item| called.get(&name(item)).cloned().unwrap_or_default());
     } else {
         let mut next = 0;

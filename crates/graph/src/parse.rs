@@ -166,9 +166,11 @@ impl Reader {
                 self.form("layout", "a position (x, y) of two finite numbers", &value);
                 continue;
             };
-            if self.graph.layout.insert(NodeId::unchecked(id), position).is_some() {
+            if self.graph.layout.contains_key(id.as_str()) {
                 self.fault(key.place, None, Some("layout"), FaultKind::DuplicateId { id: id.clone() });
+                continue;
             }
+            self.graph.layout.insert(NodeId::unchecked(id), position);
             self.layout_places.push((NodeId::unchecked(id), key.place));
         }
     }

@@ -74,7 +74,7 @@ impl<'t> Rewriter<'t> {
 
     /// The items between two brackets.
     fn items(&self, old: &Parts<'_>, new: &Parts<'_>, within: std::ops::Range<usize>, depth: usize) -> String {
-        let pairs = matched(&old.items, &new.items);
+        let pairs = matched(&old.items, &new.items, |item| self.was_passed_over(item));
         let stays: BTreeSet<usize> = pairs.iter().flatten().copied().collect();
         let (mut olds, mut seen) = (Vec::new(), HashMap::new());
         for (index, item) in old.items.iter().enumerate() {

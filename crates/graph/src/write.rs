@@ -86,7 +86,8 @@ fn entries(map: Option<&Literal>) -> &[(Literal, Literal)] {
 /// Positions as they were written where they are the same, of a node that was renamed under the name that it had.
 fn layout(graph: &Graph, old: &[(Literal, Literal)], nodes: &[(Literal, Literal)]) -> Literal {
     let text = |id: &Literal| if let Shape::Text(id) = &id.shape { Some(id.clone()) } else { None };
-    let written: HashMap<String, &Literal> = old.iter().rev().filter_map(|(id, value)| Some((text(id)?, value))).collect();
+    let written: HashMap<String, &Literal> =
+        old.iter().rev().filter(|(_, at)| position(at).is_some()).filter_map(|(id, at)| Some((text(id)?, at))).collect();
     let read_as: HashMap<Place, String> = nodes.iter().filter_map(|(id, value)| Some((value.place?, text(id)?))).collect();
     let entry = |(id, &at): (&NodeId, &(f64, f64))| {
         let was = graph.nodes.get(id).and_then(|node| read_as.get(&node.place?)).map_or(id.as_str(), String::as_str);
