@@ -91,7 +91,7 @@ struct Cover<'a> {
 impl<'a> Cover<'a> {
     /// Nothing covered, and the bounds those of the first patches.
     fn new(topology: &'a Topology, shapes: &'a [FaceShape], wish: Wish<'a>, settings: &Settings) -> Self {
-        let bounds = Bounds::new(settings.max_stretch.powf(FIRST_BOUNDS), FIRST_BOUNDS * settings.max_turning);
+        let bounds = Bounds::new(libm::pow(settings.max_stretch, FIRST_BOUNDS), FIRST_BOUNDS * settings.max_turning);
         Self {
             grower: Grower::new(topology, shapes, wish, bounds),
             shapes,

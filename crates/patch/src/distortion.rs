@@ -54,7 +54,7 @@ pub(crate) struct Bounds {
 impl Bounds {
     /// `max_turning` in radians.
     pub(crate) fn new(max_stretch: f64, max_turning: f64) -> Self {
-        Self { max_stretch, min_alignment: max_turning.cos() }
+        Self { max_stretch, min_alignment: libm::cos(max_turning) }
     }
 
     /// Whether a face so placed keeps them. `rotation` is the wanted one where there is a field.
