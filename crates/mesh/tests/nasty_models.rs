@@ -29,23 +29,7 @@ struct Counts {
 
 use Expected::{Error, Surface};
 
-const NONE: RepairReport = RepairReport {
-    vertices_welded: 0,
-    faces_with_few_corners: 0,
-    faces_collapsed: 0,
-    corners_repeated: 0,
-    polygons_tangled: 0,
-    faces_duplicated: 0,
-    junctions_split: 0,
-    faces_without_area: 0,
-    edges_split: 0,
-    faces_turned: 0,
-    edges_cut: 0,
-    vertices_split: 0,
-    vertices_added: 0,
-    pieces_turned: 0,
-    vertices_unreferenced: 0,
-};
+const NONE: RepairReport = RepairReport::NONE;
 
 /// The closed control of most files.
 const SPHERE: Counts = Counts { vertices: 258, edges: 768, faces: 512, loops: 0, components: 1, genus: 0, repairs: NONE, notes: 0 };

@@ -13,6 +13,9 @@ macro_rules! report {
         }
 
         impl RepairReport {
+            /// Nothing mended.
+            pub const NONE: Self = Self { $($field: 0,)* };
+
             /// Every count with the name of its field and what it means in a few words, in the order of the repairs.
             pub fn counts(&self) -> [(&'static str, &'static str, usize); [$($words),*].len()] {
                 [$((stringify!($field), $words, self.$field)),*]
@@ -57,7 +60,7 @@ report! {
 impl RepairReport {
     /// Whether nothing had to be mended.
     pub fn is_none(&self) -> bool {
-        *self == Self::default()
+        *self == Self::NONE
     }
 }
 

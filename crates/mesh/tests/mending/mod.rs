@@ -4,23 +4,7 @@
 use glam::DVec3;
 use pelage_mesh::{Mesh, RepairReport, RepairSettings, Repaired, Soup, Summary, repair};
 
-pub(crate) const NONE: RepairReport = RepairReport {
-    vertices_welded: 0,
-    faces_with_few_corners: 0,
-    faces_collapsed: 0,
-    corners_repeated: 0,
-    polygons_tangled: 0,
-    faces_duplicated: 0,
-    junctions_split: 0,
-    faces_without_area: 0,
-    edges_split: 0,
-    faces_turned: 0,
-    edges_cut: 0,
-    vertices_split: 0,
-    vertices_added: 0,
-    pieces_turned: 0,
-    vertices_unreferenced: 0,
-};
+pub(crate) const NONE: RepairReport = RepairReport::NONE;
 
 pub(crate) fn mend(soup: Soup) -> Repaired {
     let repaired = repair(soup, &RepairSettings::default()).unwrap();
