@@ -3,7 +3,7 @@
 use std::path::Path;
 use std::sync::{Arc, OnceLock};
 
-use pelage_coat::{Background, Coat, Light};
+use pelage_coat::{Background, Coat, Lights};
 use pelage_graph::{Colour, Evaluation, Evaluator, Graph, Request, TraceEntry};
 use pelage_lighting::Shading;
 use pelage_mesh::Mesh;
@@ -111,7 +111,7 @@ impl Scene {
         let aspect = picture.width as f32 / picture.height as f32;
         let view = View {
             camera: self.only::<Framing>("camera")?.camera(coat.bounds(), aspect),
-            light: *self.only::<Light>("light")?,
+            lights: Lights::clone(&*self.only::<Lights>("light")?),
             shading: *self.only::<Shading>("shading")?,
             options: Options { step_blur: 0.8, ..Options::default() },
         };

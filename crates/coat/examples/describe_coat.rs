@@ -13,6 +13,8 @@ fn main() -> Result<(), CoatError> {
         normals: vec![Vec3::Y; 4],
         // Fur as long as a hundredth of the model, leaning towards −z.
         offsets: vec![Vec3::new(0.0, 0.008, -0.006); 4],
+        bends: vec![Vec3::ZERO; 4],
+        ends: vec![1.0; 4],
         directions: vec![Vec3::new(0.0, 0.8, -0.6); 4],
         colours: vec![Vec3::new(0.6, 0.4, 0.2); 4],
     };
@@ -29,7 +31,7 @@ fn main() -> Result<(), CoatError> {
         surface,
         patches,
         edges: FinEdges::default(),
-        shells: Arc::new(ShellTexture { layers: 2, mips: vec![MipImage { width: 1, height: 1, texels }] }),
+        shells: Arc::new(ShellTexture::stack(2, vec![MipImage { width: 1, height: 1, texels }])),
         fin: None,
     };
     coat.check()?;

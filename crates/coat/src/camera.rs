@@ -1,4 +1,4 @@
-//! From where, and in what light.
+//! From where, and before what.
 
 use glam::{Mat4, Vec3};
 
@@ -60,19 +60,6 @@ impl Camera {
         ]);
         projection * view
     }
-}
-
-/// A light at infinity and the light from all around.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Light {
-    /// The unit direction towards the light.
-    pub direction: Vec3,
-    /// Its colour times its strength.
-    pub colour: Vec3,
-    /// The colour times strength of the light from above.
-    pub sky: Vec3,
-    /// The colour times strength of the light from below.
-    pub ground: Vec3,
 }
 
 /// What is behind the model: a vertical ramp.

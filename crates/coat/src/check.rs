@@ -1,6 +1,6 @@
 //! A coat whose arrays agree.
 
-use crate::{Coat, MipImage};
+use crate::{Coat, Encoding, MipImage, ShellTexture};
 
 /// What is wrong with a coat's arrays.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
@@ -82,6 +82,26 @@ pub enum CoatError {
     /// The frame does not lead back to the model.
     #[error("the frame's diameter must be finite and positive, and its centre finite")]
     Frame,
+    /// A shell that is not one.
+    #[error("shell {shell} of level {level}: {what}")]
+    Shell {
+        /// Level of detail.
+        level: usize,
+        /// Which of its shells.
+        shell: usize,
+        /// What is wrong, and what is needed.
+        what: &'static str,
+    },
+    /// Levels of detail that do not halve.
+    #[error("level {level} has {found} shells; half of the level before, rounded up, is {expected}")]
+    Level {
+        /// Level of detail.
+        level: usize,
+        /// Its shells.
+        found: usize,
+        /// As many as it must have.
+        expected: usize,
+    },
     /// A texture without layers, levels or texels.
     #[error("the {0} texture is empty; give it at least one layer, level and texel")]
     EmptyTexture(&'static str),
@@ -99,8 +119,8 @@ impl Coat {
         self.check_surface()?;
         self.check_patches()?;
         self.check_edges()?;
-        check_texture("shell", self.shells.layers, &self.shells.mips)?;
-        self.fin.as_ref().map_or(Ok(()), |fin| check_texture("fin", 1, &fin.mips))
+        self.shells.check()?;
+        self.fin.as_ref().map_or(Ok(()), |fin| check_texture("fin", Encoding::Rgba8, 1, &fin.mips))
     }
 
     fn check_surface(&self) -> Result<(), CoatError> {
@@ -109,6 +129,7 @@ impl Coat {
             ("surface.positions", &surface.positions),
             ("surface.normals", &surface.normals),
             ("surface.offsets", &surface.offsets),
+            ("surface.bends", &surface.bends),
             ("surface.directions", &surface.directions),
             ("surface.colours", &surface.colours),
         ];
@@ -116,7 +137,8 @@ impl Coat {
             check_length(name, array.len(), surface.positions.len())?;
             check_finite(name, array.iter().map(|v| v.is_finite()))?;
         }
-        Ok(())
+        check_length("surface.ends", surface.ends.len(), surface.positions.len())?;
+        check_finite("surface.ends", surface.ends.iter().map(|end| end.is_finite()))
     }
 
     fn check_patches(&self) -> Result<(), CoatError> {
@@ -145,6 +167,65 @@ impl Coat {
     }
 }
 
+impl ShellTexture {
+    /// Checks that images are whole and shells show images that exist; [`Coat::check`] does it too.
+    ///
+    /// # Errors
+    /// The first thing found wrong.
+    pub fn check(&self) -> Result<(), CoatError> {
+        check_texture("shell", self.encoding, self.images, &self.mips)?;
+        if let Some(directions) = &self.directions {
+            check_texture("direction", Encoding::Rgba8, self.images, directions)?;
+            check_length("directions", directions.len(), self.mips.len())?;
+            if (directions[0].width, directions[0].height) != (self.mips[0].width, self.mips[0].height) {
+                return Err(CoatError::MipChain {
+                    texture: "direction",
+                    level: 0,
+                    width: directions[0].width,
+                    height: directions[0].height,
+                    expected_width: self.mips[0].width,
+                    expected_height: self.mips[0].height,
+                });
+            }
+        }
+        if self.layers() == 0 {
+            return Err(CoatError::EmptyTexture("shell"));
+        }
+        let mut expected = self.layers() as usize;
+        for (level, shells) in self.levels.iter().enumerate() {
+            if shells.len() != expected {
+                return Err(CoatError::Level { level, found: shells.len(), expected });
+            }
+            expected = expected.div_ceil(2);
+            self.check_level(level)?;
+        }
+        Ok(())
+    }
+
+    fn check_level(&self, level: usize) -> Result<(), CoatError> {
+        let within = |x: f32| (0.0..=1.0).contains(&x);
+        for (shell, layer) in self.levels[level].iter().enumerate() {
+            let before = shell.checked_sub(1).map_or(0.0, |before| self.levels[level][before].height);
+            let faults = [
+                (!within(layer.height) || !within(layer.light_height), "its heights must be 0 to 1"),
+                (layer.height < before, "it must not stand below the shell before it"),
+                (shell == 0 && layer.height != 0.0, "the innermost must stand on the skin, at height 0"),
+                (layer.image >= self.images, "it shows an image past the end of the stack"),
+                (!within(layer.opacity), "its opacity must be 0 to 1"),
+                (!(layer.layers.is_finite() && layer.layers >= 0.0), "its number of layers must be finite and not negative"),
+                (
+                    level > 0 && self.levels[level - 1].get(2 * shell).is_none_or(|finer| finer.height != layer.height),
+                    "it must stand where every second shell of the finer level does",
+                ),
+            ];
+            if let Some(&(_, what)) = faults.iter().find(|(wrong, _)| *wrong) {
+                return Err(CoatError::Shell { level, shell, what });
+            }
+        }
+        Ok(())
+    }
+}
+
 fn check_length(array: &'static str, length: usize, expected: usize) -> Result<(), CoatError> {
     if length == expected { Ok(()) } else { Err(CoatError::Length { array, length, expected }) }
 }
@@ -162,7 +243,7 @@ fn check_indices(array: &'static str, indices: impl Iterator<Item = u32>, count:
     Ok(())
 }
 
-fn check_texture(texture: &'static str, layers: u32, mips: &[MipImage]) -> Result<(), CoatError> {
+fn check_texture(texture: &'static str, encoding: Encoding, layers: u32, mips: &[MipImage]) -> Result<(), CoatError> {
     if layers == 0 || mips.is_empty() {
         return Err(CoatError::EmptyTexture(texture));
     }
@@ -178,8 +259,7 @@ fn check_texture(texture: &'static str, layers: u32, mips: &[MipImage]) -> Resul
             return Err(CoatError::MipChain { texture, level, width, height, expected_width, expected_height });
         }
         (expected_width, expected_height) = ((width / 2).max(1), (height / 2).max(1));
-        let texels = (width as usize).saturating_mul(height as usize).saturating_mul(layers as usize);
-        let (expected, length) = (texels.saturating_mul(4), mip.texels.len());
+        let (expected, length) = (encoding.bytes(width, height).saturating_mul(layers as usize), mip.texels.len());
         if length != expected {
             return Err(CoatError::Texture { texture, level, width, height, layers, expected, length });
         }

@@ -19,6 +19,8 @@
 //!     positions: vec![Vec3::ZERO, Vec3::X, Vec3::Y],
 //!     normals: vec![Vec3::Z; 3],
 //!     offsets: vec![Vec3::ZERO; 3],
+//!     bends: vec![Vec3::ZERO; 3],
+//!     ends: vec![1.0; 3],
 //!     directions: vec![Vec3::Z; 3],
 //!     colours: vec![Vec3::ONE; 3],
 //! };
@@ -34,7 +36,7 @@
 //!     surface,
 //!     patches,
 //!     edges: FinEdges::default(),
-//!     shells: Arc::new(ShellTexture { layers: 1, mips: vec![skin] }),
+//!     shells: Arc::new(ShellTexture::stack(1, vec![skin])),
 //!     fin: None,
 //! };
 //! assert_eq!(coat.check(), Ok(()));
@@ -49,15 +51,17 @@
 
 mod camera;
 mod check;
+mod light;
 mod texture;
 
 use std::sync::Arc;
 
 use glam::{DVec3, Vec2, Vec3};
 
-pub use camera::{Background, Camera, Light};
+pub use camera::{Background, Camera};
 pub use check::CoatError;
-pub use texture::{FinTexture, MipImage, ShellTexture};
+pub use light::{Irradiance, Light, Lights};
+pub use texture::{Encoding, FinTexture, MipImage, ShellLayer, ShellTexture};
 
 /// Where coat coordinates lie in the model's own: model = centre + diameter × coat.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -84,6 +88,11 @@ pub struct Surface {
     pub normals: Vec<Vec3>,
     /// *c_v*: from the skin to the outermost shell; its length is the fur's, its tangential part the slant (L19, L20). Zero: bare.
     pub offsets: Vec<Vec3>,
+    /// How the hair bends on its way: at height *h* it stands at *c_v* *h* + *b* (*h*² − *h*), so that it leaves the skin along *c_v* − *b* and ends along
+    /// *c_v* + *b* (K11). Zero: straight.
+    pub bends: Vec<Vec3>,
+    /// Where along *c_v* the hair is cut off, 0 to 1: above it there is none. 1: whole.
+    pub ends: Vec<f32>,
     /// *T*: the mean of the hair's unit directions, for lighting, stored apart from the offset (L14). At most 1 long; the shorter, the more the hair differs.
     pub directions: Vec<Vec3>,
     /// A colour that multiplies the textures' (L18), 0 to 1.
@@ -141,7 +150,9 @@ impl Coat {
         for &vertex in &self.patches.vertices {
             let (skin, offset) = (self.surface.positions.get(vertex as usize), self.surface.offsets.get(vertex as usize));
             let (Some(&skin), Some(&offset)) = (skin, offset) else { continue };
-            for p in [skin, skin + offset] {
+            // The curve's control points hold it between them; a missing bend is none.
+            let bend = self.surface.bends.get(vertex as usize).copied().unwrap_or_default();
+            for p in [skin, skin + 0.5 * (offset - bend), skin + offset] {
                 bounds = (bounds.0.min(p), bounds.1.max(p));
             }
         }
@@ -150,7 +161,7 @@ impl Coat {
 
     /// How many bytes it holds, textures not counted twice where they are shared.
     pub fn byte_size(&self) -> usize {
-        self.surface.positions.len() * 5 * size_of::<Vec3>()
+        self.surface.positions.len() * (6 * size_of::<Vec3>() + size_of::<f32>())
             + self.patches.vertices.len() * 12
             + self.patches.faces.len() * 12
             + self.edges.vertices.len() * (8 + 8 + 24 + 4)

@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use glam::{DVec3, Vec2, Vec3};
-use pelage_coat::{Coat, CoatError, FinEdges, FinTexture, Frame, MipImage, PatchMesh, ShellTexture, Surface};
+use pelage_coat::{Coat, CoatError, Encoding, FinEdges, FinTexture, Frame, MipImage, PatchMesh, ShellLayer, ShellTexture, Surface};
 use proptest::prelude::*;
 
 fn image(width: u32, height: u32, layers: u32) -> MipImage {
@@ -17,6 +17,8 @@ fn coat() -> Coat {
             positions: vec![Vec3::ZERO, Vec3::X, Vec3::Y, Vec3::ONE],
             normals: vec![Vec3::Z; 4],
             offsets: vec![0.1 * Vec3::Z; 4],
+            bends: vec![Vec3::ZERO; 4],
+            ends: vec![1.0; 4],
             directions: vec![Vec3::Z; 4],
             colours: vec![Vec3::ONE; 4],
         },
@@ -27,7 +29,7 @@ fn coat() -> Coat {
             patch_ends: vec![1, 2],
         },
         edges: FinEdges { vertices: vec![[1, 2]], intervals: vec![[0.2, 0.4]], face_normals: vec![[Vec3::Z; 2]], curvatures: vec![0.5] },
-        shells: Arc::new(ShellTexture { layers: 3, mips: vec![image(4, 4, 3), image(2, 2, 3), image(1, 1, 3)] }),
+        shells: Arc::new(ShellTexture::stack(3, vec![image(4, 4, 3), image(2, 2, 3), image(1, 1, 3)])),
         fin: Some(Arc::new(FinTexture { tiles_across: 2.0, mips: vec![image(4, 2, 1), image(2, 1, 1), image(1, 1, 1)] })),
     }
 }
@@ -74,15 +76,15 @@ fn every_fault_is_named() {
         (|c| c.edges.curvatures[0] = f32::NEG_INFINITY, CoatError::NotFinite { array: "edges.curvatures", at: 0 }),
         (|c| c.frame.diameter = 0.0, CoatError::Frame),
         (|c| c.frame.centre.z = f64::NAN, CoatError::Frame),
-        (|c| c.shells = Arc::new(ShellTexture { layers: 0, mips: vec![image(1, 1, 1)] }), CoatError::EmptyTexture("shell")),
-        (|c| c.shells = Arc::new(ShellTexture { layers: 1, mips: vec![] }), CoatError::EmptyTexture("shell")),
-        (|c| c.shells = Arc::new(ShellTexture { layers: 1, mips: vec![image(0, 4, 1)] }), CoatError::EmptyTexture("shell")),
+        (|c| c.shells = Arc::new(ShellTexture::stack(0, vec![image(1, 1, 1)])), CoatError::EmptyTexture("shell")),
+        (|c| c.shells = Arc::new(ShellTexture::stack(1, vec![])), CoatError::EmptyTexture("shell")),
+        (|c| c.shells = Arc::new(ShellTexture::stack(1, vec![image(0, 4, 1)])), CoatError::EmptyTexture("shell")),
         (
-            |c| c.shells = Arc::new(ShellTexture { layers: 2, mips: vec![image(2, 2, 1)] }),
+            |c| c.shells = Arc::new(ShellTexture::stack(2, vec![image(2, 2, 1)])),
             CoatError::Texture { texture: "shell", level: 0, width: 2, height: 2, layers: 2, expected: 32, length: 16 },
         ),
         (
-            |c| c.shells = Arc::new(ShellTexture { layers: 1, mips: vec![image(4, 4, 1), image(3, 2, 1)] }),
+            |c| c.shells = Arc::new(ShellTexture::stack(1, vec![image(4, 4, 1), image(3, 2, 1)])),
             CoatError::MipChain { texture: "shell", level: 1, width: 3, height: 2, expected_width: 2, expected_height: 2 },
         ),
         (
@@ -90,6 +92,52 @@ fn every_fault_is_named() {
             CoatError::MipChain { texture: "fin", level: 1, width: 1, height: 1, expected_width: 1, expected_height: 1 },
         ),
     ];
+    check(faults);
+}
+
+/// The coat's shells, to be spoiled.
+fn shells(coat: &mut Coat) -> &mut ShellTexture {
+    Arc::make_mut(&mut coat.shells)
+}
+
+/// What a spoiled shell is said to be.
+fn shell(level: usize, shell: usize, what: &'static str) -> CoatError {
+    CoatError::Shell { level, shell, what }
+}
+
+#[test]
+fn every_fault_of_shells_is_named() {
+    check(vec![
+        (|c| c.surface.ends.truncate(3), CoatError::Length { array: "surface.ends", length: 3, expected: 4 }),
+        (|c| c.surface.ends[1] = f32::NAN, CoatError::NotFinite { array: "surface.ends", at: 1 }),
+        (|c| c.surface.bends[1].x = f32::NAN, CoatError::NotFinite { array: "surface.bends", at: 1 }),
+        (|c| shells(c).levels.clear(), CoatError::EmptyTexture("shell")),
+        (|c| shells(c).levels[0][1].height = 1.5, shell(0, 1, "its heights must be 0 to 1")),
+        (|c| shells(c).levels[0][2].light_height = f32::NAN, shell(0, 2, "its heights must be 0 to 1")),
+        (|c| shells(c).levels[0][2].height = 0.1, shell(0, 2, "it must not stand below the shell before it")),
+        (|c| shells(c).levels[0][0].height = 0.1, shell(0, 0, "the innermost must stand on the skin, at height 0")),
+        (|c| shells(c).levels[0][2].image = 3, shell(0, 2, "it shows an image past the end of the stack")),
+        (|c| shells(c).levels[0][2].opacity = -0.1, shell(0, 2, "its opacity must be 0 to 1")),
+        (|c| shells(c).levels[0][2].layers = f32::INFINITY, shell(0, 2, "its number of layers must be finite and not negative")),
+        (|c| shells(c).levels.push(vec![ShellLayer::plain(0.0, 0)]), CoatError::Level { level: 1, found: 1, expected: 2 }),
+        (
+            |c| shells(c).levels.push(vec![ShellLayer::plain(0.0, 0), ShellLayer::plain(0.5, 1)]),
+            shell(1, 1, "it must stand where every second shell of the finer level does"),
+        ),
+        (
+            |c| shells(c).encoding = Encoding::Bc3,
+            CoatError::Texture { texture: "shell", level: 0, width: 4, height: 4, layers: 3, expected: 48, length: 192 },
+        ),
+        (|c| shells(c).directions = Some(vec![image(4, 4, 3)]), CoatError::Length { array: "directions", length: 1, expected: 3 }),
+        (
+            |c| shells(c).directions = Some(vec![image(2, 2, 3), image(1, 1, 3)]),
+            CoatError::Length { array: "directions", length: 2, expected: 3 },
+        ),
+    ]);
+}
+
+/// Spoils a coat in each way and looks at what is said.
+fn check(faults: Vec<Fault>) {
     for (spoil, expected) in faults {
         let mut coat = coat();
         spoil(&mut coat);
@@ -100,7 +148,8 @@ fn every_fault_is_named() {
 #[test]
 fn absurd_texture_sizes_do_not_overflow() {
     let mut coat = coat();
-    coat.shells = Arc::new(ShellTexture { layers: u32::MAX, mips: vec![MipImage { width: u32::MAX, height: u32::MAX, texels: vec![] }] });
+    let vast = MipImage { width: u32::MAX, height: u32::MAX, texels: vec![] };
+    coat.shells = Arc::new(ShellTexture { images: u32::MAX, ..ShellTexture::stack(1, vec![vast]) });
     assert!(matches!(coat.check(), Err(CoatError::Texture { texture: "shell", length: 0, .. })));
 }
 

@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use pelage_coat::{Background, Coat, Light};
+use pelage_coat::{Background, Coat, Lights};
 use pelage_graph::{Colour, Context, Evaluate, Node, NodeError, Param};
 use pelage_lighting::{Axis, Shading, TableLayout};
 use pelage_render::{
@@ -112,7 +112,7 @@ pub struct RenderImage {
     pub camera: Arc<Framing>,
     /// In what light.
     #[input]
-    pub light: Arc<Light>,
+    pub light: Arc<Lights>,
     /// How hair answers it.
     #[input]
     pub shading: Arc<Shading>,
@@ -179,7 +179,7 @@ impl RenderImage {
         let aspect = self.size.0 as f32 / self.size.1.max(1) as f32;
         View {
             camera: self.camera.camera(self.fur.bounds(), aspect),
-            light: *self.light,
+            lights: Lights::clone(&self.light),
             shading: *self.shading,
             options: Options {
                 surface: self.surface,

@@ -1,6 +1,6 @@
 //! The list of all nodes, and an engine that can run them.
 
-use pelage_coat::{Coat, FinTexture, Light, ShellTexture};
+use pelage_coat::{Coat, FinTexture, Lights, ShellTexture};
 use pelage_creature::Creature;
 use pelage_field::{ColourField, DirectionField, ScalarField};
 use pelage_graph::{Evaluator, Registry};
@@ -26,7 +26,7 @@ pub fn registry() -> Registry {
         .value::<FinTexture>("FinTexture", FinTexture::byte_size)
         .value::<Coat>("Coat", Coat::byte_size)
         .value::<Framing>("Framing", |_| size_of::<Framing>())
-        .value::<Light>("Light", |_| size_of::<Light>())
+        .value::<Lights>("Lights", |lights| size_of::<Lights>() + size_of_val(&lights.directional[..]))
         .value::<Shading>("Shading", |_| size_of::<Shading>())
         .node::<crate::ObjFile>()
         .node::<crate::Plane>()

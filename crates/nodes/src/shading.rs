@@ -1,7 +1,7 @@
 //! Light, and what hair makes of it.
 
 use glam::{DVec3, Vec3};
-use pelage_coat::Light;
+use pelage_coat::{Irradiance, Light, Lights};
 use pelage_graph::{Colour, Context, Evaluate, Node, NodeError};
 use pelage_lighting::{Facing, HairLighting, SelfShadow, Shading};
 
@@ -13,7 +13,7 @@ pub(crate) fn linear(colour: Colour) -> Vec3 {
 /// A light at infinity and the light from all around.
 #[derive(Node)]
 #[node(category = "Picture", version = 1, name = "Light")]
-#[output(light: Light, "The light.")]
+#[output(light: Lights, "The light.")]
 pub struct LightNode {
     /// Where it comes from, around the vertical axis, anticlockwise seen from above; 0 is the side a camera of azimuth 0 stands on.
     #[param(default = 40.0, range = -360.0..=360.0, unit = "degrees", effect = "none on cost")]
@@ -39,13 +39,8 @@ impl Evaluate for LightNode {
     fn evaluate(&self, _: &mut Context<'_>) -> Result<Self::Outputs, NodeError> {
         let (azimuth, elevation) = (self.azimuth.to_radians(), self.elevation.to_radians());
         let direction = DVec3::new(elevation.cos() * azimuth.sin(), elevation.sin(), elevation.cos() * azimuth.cos());
-        Ok(Light {
-            direction: direction.as_vec3().normalize_or(Vec3::Y),
-            colour: linear(self.colour) * self.strength as f32,
-            sky: linear(self.sky),
-            ground: linear(self.ground),
-        }
-        .into())
+        let sun = Light { direction: direction.as_vec3().normalize_or(Vec3::Y), colour: linear(self.colour) * self.strength as f32 };
+        Ok(Lights { directional: vec![sun], ambient: Irradiance::hemisphere(linear(self.sky), linear(self.ground)) }.into())
     }
 }
 

@@ -146,6 +146,6 @@ fn textures(shells: &ShellTexture, fin: Option<&FinTexture>) -> Value {
     let (shell_bytes, fin_bytes) = (shells.byte_size(), fin.map_or(0, FinTexture::byte_size));
     json!({
         "shell_bytes": shell_bytes, "fin_bytes": fin_bytes, "total_bytes": shell_bytes + fin_bytes,
-        "layers": shells.layers, "resolution": shells.resolution(),
+        "layers": shells.layers(), "resolution": shells.resolution(),
     })
 }

@@ -83,7 +83,7 @@ impl Recipe {
             }
             stack.push(image);
         }
-        ShellTexture { layers: self.layers, mips: mips(stack, side, side) }
+        ShellTexture::stack(self.layers, mips(stack, side, side))
     }
 
     fn fin(&self, dice: &mut Dice) -> FinTexture {

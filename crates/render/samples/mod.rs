@@ -8,7 +8,7 @@ pub mod shapes;
 use std::sync::Arc;
 
 use glam::{DVec3, Vec2, Vec3};
-use pelage_coat::{Background, Coat, Frame, Light, PatchMesh, Surface};
+use pelage_coat::{Background, Coat, Frame, Irradiance, Light, Lights, PatchMesh, Surface};
 
 use hair::Hair;
 
@@ -46,6 +46,8 @@ pub fn coat(shape: &Shape, style: Style, hair: &Hair) -> Coat {
         positions: shape.positions.clone(),
         normals: shape.normals.clone(),
         offsets: directions.iter().map(|&d| d * style.length).collect(),
+        bends: vec![Vec3::ZERO; directions.len()],
+        ends: vec![1.0; directions.len()],
         directions,
         colours: shape.positions.iter().map(|&p| colour_at(p)).collect(),
     };
@@ -67,12 +69,10 @@ fn colour_at(p: Vec3) -> Vec3 {
 }
 
 /// A sun from a direction, under a soft sky.
-pub fn light(direction: Vec3) -> Light {
-    Light {
-        direction: direction.normalize(),
-        colour: Vec3::new(1.0, 0.96, 0.9) * 1.25,
-        sky: Vec3::new(0.34, 0.38, 0.44),
-        ground: Vec3::new(0.16, 0.14, 0.12),
+pub fn light(direction: Vec3) -> Lights {
+    Lights {
+        directional: vec![Light { direction: direction.normalize(), colour: Vec3::new(1.0, 0.96, 0.9) * 1.25 }],
+        ambient: Irradiance::hemisphere(Vec3::new(0.34, 0.38, 0.44), Vec3::new(0.16, 0.14, 0.12)),
     }
 }
 

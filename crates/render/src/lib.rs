@@ -20,7 +20,7 @@
 //! use std::sync::Arc;
 //!
 //! use glam::{DVec3, Vec2, Vec3};
-//! use pelage_coat::{Background, Camera, Coat, FinEdges, Frame, Light, MipImage, PatchMesh, ShellTexture, Surface};
+//! use pelage_coat::{Background, Camera, Coat, FinEdges, Frame, Irradiance, Light, Lights, MipImage, PatchMesh, ShellTexture, Surface};
 //! use pelage_render::{Headless, View, render_picture};
 //!
 //! # fn main() -> Result<(), pelage_render::RenderError> {
@@ -30,6 +30,8 @@
 //!         positions: vec![Vec3::ZERO, Vec3::X, Vec3::Y],
 //!         normals: vec![Vec3::Z; 3],
 //!         offsets: vec![Vec3::ZERO; 3],
+//!         bends: vec![Vec3::ZERO; 3],
+//!         ends: vec![1.0; 3],
 //!         directions: vec![Vec3::Z; 3],
 //!         colours: vec![Vec3::ONE; 3],
 //!     },
@@ -40,15 +42,18 @@
 //!         patch_ends: vec![1],
 //!     },
 //!     edges: FinEdges::default(),
-//!     shells: Arc::new(ShellTexture { layers: 1, mips: vec![MipImage { width: 1, height: 1, texels: vec![180, 140, 120, 255] }] }),
+//!     shells: Arc::new(ShellTexture::stack(1, vec![MipImage { width: 1, height: 1, texels: vec![180, 140, 120, 255] }])),
 //!     fin: None,
 //! };
 //! let camera = Camera { eye: 3.0 * Vec3::Z, target: Vec3::ZERO, up: Vec3::Y, field_of_view: 0.8, near: 0.1 };
-//! let light = Light { direction: Vec3::Z, colour: Vec3::ONE, sky: Vec3::splat(0.3), ground: Vec3::splat(0.1) };
+//! let lights = Lights {
+//!     directional: vec![Light { direction: Vec3::Z, colour: Vec3::ONE }],
+//!     ambient: Irradiance::hemisphere(Vec3::splat(0.3), Vec3::splat(0.1)),
+//! };
 //! let background = Background { top: Vec3::splat(0.2), bottom: Vec3::splat(0.1) };
 //!
 //! let headless = Headless::new()?;
-//! let picture = render_picture(&headless, &coat, &View::new(camera, light), (64, 48), 4, &background)?;
+//! let picture = render_picture(&headless, &coat, &View::new(camera, lights), (64, 48), 4, &background)?;
 //! assert_eq!(picture.rgba.len(), 64 * 48 * 4);
 //! assert!(picture.coverage.contains(&255) && picture.coverage.contains(&0));
 //! # Ok(())

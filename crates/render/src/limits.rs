@@ -16,7 +16,7 @@ pub(crate) fn check_coat(limits: &Limits, coat: &Coat) -> Result<(), RenderError
     at_most("bytes of patch vertices or faces, so coarsen the mesh or draw it in parts", largest, limits.max_buffer_size)?;
     // Index counts are 32 bits wide.
     at_most("corners of faces, so coarsen the mesh or draw it in parts", 3 * patches.faces.len() as u64, u64::from(u32::MAX))?;
-    let layers = u64::from(coat.shells.layers);
+    let layers = u64::from(coat.shells.layers());
     at_most("shell layers, so sample fewer", layers, u64::from(limits.max_texture_array_layers))?;
     let fin = coat.fin.as_ref().map_or(&[][..], |fin| &fin.mips);
     coat.shells.mips.iter().chain(fin).try_for_each(|mip| check_image(limits, mip))

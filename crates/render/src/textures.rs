@@ -25,9 +25,9 @@ impl GpuTextures {
         let none = [MipImage { width: 1, height: 1, texels: vec![0; 4] }];
         let fin_mips = fin.map_or(&none[..], |fin| &fin.mips);
         Self {
-            shells: upload(device, queue, "shells", shells.layers, &shells.mips, TextureViewDimension::D2Array),
+            shells: upload(device, queue, "shells", shells.layers(), &shells.mips, TextureViewDimension::D2Array),
             fin: upload(device, queue, "fin", 1, fin_mips, TextureViewDimension::D2),
-            layers: shells.layers,
+            layers: shells.layers(),
             has_fin: fin.is_some(),
         }
     }

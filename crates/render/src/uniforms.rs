@@ -18,8 +18,7 @@ pub(crate) struct FrameUniform {
     toward_eye: [f32; 4],
     light: [f32; 4],
     light_colour: [f32; 4],
-    sky: [f32; 4],
-    ground: [f32; 4],
+    irradiance: [[f32; 4]; 9],
     ambient: [f32; 4],
     diffuse: [f32; 4],
     specular: [f32; 4],
@@ -39,14 +38,14 @@ impl FrameUniform {
             ShellDepth::Written { threshold } => threshold,
             ShellDepth::Tested => 0.0,
         };
+        let key = view.lights.directional.first();
         let uniform = Self {
             clip_from_coat: viewpoint.clip_from_coat.to_cols_array_2d(),
             eye: four(viewpoint.eye, 0.0),
             toward_eye: four(viewpoint.toward_eye, 0.0),
-            light: four(view.light.direction, 0.0),
-            light_colour: four(view.light.colour, 0.0),
-            sky: four(view.light.sky, 0.0),
-            ground: four(view.light.ground, 0.0),
+            light: four(key.map_or(Vec3::Y, |light| light.direction), 0.0),
+            light_colour: four(key.map_or(Vec3::ZERO, |light| light.colour), 0.0),
+            irradiance: view.lights.ambient.0.map(|term| four(term, 0.0)),
             ambient: colour(hair.ambient, 0.0),
             diffuse: colour(hair.diffuse, hair.diffuse_power),
             specular: colour(hair.specular, hair.specular_power),
@@ -69,7 +68,7 @@ impl FrameUniform {
         let finite = |values: &[[f32; 4]]| values.iter().flatten().all(|v| v.is_finite());
         let parts: [(&'static str, bool); 4] = [
             ("the camera", finite(&self.clip_from_coat) && finite(&[self.eye, self.toward_eye])),
-            ("the light", finite(&[self.light, self.light_colour, self.sky, self.ground])),
+            ("the light", finite(&[self.light, self.light_colour]) && finite(&self.irradiance)),
             ("the shading", finite(&[self.ambient, self.diffuse, self.specular, self.shadow, self.facing])),
             ("the length scale, the alpha threshold or the step blur", finite(&[self.fur, self.screen])),
         ];

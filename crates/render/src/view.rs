@@ -1,7 +1,7 @@
 //! From where, in what light, and which parts of the coat.
 
 use glam::{Mat4, Vec2, Vec3};
-use pelage_coat::{Camera, Light};
+use pelage_coat::{Camera, Lights};
 use pelage_lighting::{Shading, TableLayout};
 
 /// Everything about a frame that is not the coat.
@@ -10,7 +10,7 @@ pub struct View {
     /// From where.
     pub camera: Camera,
     /// In what light.
-    pub light: Light,
+    pub lights: Lights,
     /// How hair takes it.
     pub shading: Shading,
     /// Which parts are drawn, and how.
@@ -19,8 +19,8 @@ pub struct View {
 
 impl View {
     /// A view with default shading and options.
-    pub fn new(camera: Camera, light: Light) -> Self {
-        Self { camera, light, shading: Shading::default(), options: Options::default() }
+    pub fn new(camera: Camera, lights: Lights) -> Self {
+        Self { camera, lights, shading: Shading::default(), options: Options::default() }
     }
 }
 

@@ -5,7 +5,7 @@ mod support;
 use std::sync::Arc;
 
 use glam::{DVec3, Vec3};
-use pelage_coat::{Camera, Coat, FinEdges, Light, MipImage, PatchMesh, ShellTexture, Surface};
+use pelage_coat::{Camera, Coat, FinEdges, Irradiance, Light, Lights, MipImage, PatchMesh, ShellTexture, Surface};
 use pelage_lighting::{Facing, HairLighting, HairPoint, Illumination, SelfShadow, Shading, TableLayout};
 use pelage_render::{LightingMode, Options, ShellRange, View, fin_edges, fin_opacity};
 
@@ -30,21 +30,19 @@ fn shading() -> Shading {
     }
 }
 
-fn light(direction: Vec3) -> Light {
-    Light {
-        direction: direction.normalize(),
-        colour: Vec3::new(0.9, 0.8, 0.7),
-        sky: Vec3::new(0.3, 0.35, 0.4),
-        ground: Vec3::new(0.2, 0.15, 0.1),
+fn light(direction: Vec3) -> Lights {
+    Lights {
+        directional: vec![Light { direction: direction.normalize(), colour: Vec3::new(0.9, 0.8, 0.7) }],
+        ambient: Irradiance::hemisphere(Vec3::new(0.3, 0.35, 0.4), Vec3::new(0.2, 0.15, 0.1)),
     }
 }
 
-fn illumination(light: &Light) -> Illumination {
+fn illumination(lights: &Lights) -> Illumination {
     Illumination {
-        direction: light.direction.as_dvec3(),
-        colour: light.colour.as_dvec3(),
-        sky: light.sky.as_dvec3(),
-        ground: light.ground.as_dvec3(),
+        direction: lights.directional[0].direction.as_dvec3(),
+        colour: lights.directional[0].colour.as_dvec3(),
+        sky: lights.ambient.at(Vec3::Y).as_dvec3(),
+        ground: lights.ambient.at(Vec3::NEG_Y).as_dvec3(),
     }
 }
 
@@ -61,10 +59,10 @@ fn square() -> Coat {
     coat
 }
 
-fn front(lighting: LightingMode, light: Light, options: Options) -> View {
+fn front(lighting: LightingMode, light: Lights, options: Options) -> View {
     // Half a pixel off the middle of an even picture is nothing at this distance.
     let camera = Camera { eye: Vec3::new(0.1, 0.2, 3.0), target: Vec3::ZERO, up: Vec3::Y, field_of_view: 0.3, near: 0.1 };
-    View { camera, light, shading: shading(), options: Options { lighting, ..options } }
+    View { camera, lights: light, shading: shading(), options: Options { lighting, ..options } }
 }
 
 const LIGHTS: [Vec3; 5] =
@@ -83,7 +81,7 @@ fn shells_are_lit_as_the_formula_says() {
                 // Above the middle pixel the layer is at its own height over the square.
                 let place = Vec3::new(0.0, 0.0, coat.surface.offsets[40].z * height as f32);
                 let toward = (view.camera.eye - place).as_dvec3().normalize();
-                let expected = view.shading.shade(&illumination(&view.light), toward, &hair);
+                let expected = view.shading.shade(&illumination(&view.lights), toward, &hair);
                 near(middle(&picture(&coat, &view)), expected, &format!("{lighting:?}, light {direction}, layer {layer}"));
             }
         }
@@ -96,10 +94,10 @@ fn the_skin_under_fur_is_lit_at_full_depth_and_bare_skin_plainly() {
         let view = front(LightingMode::Formula, light(direction), Options { shells: false, fins: false, ..Options::default() });
         let coat = square();
         let hair = HairPoint { direction: coat.surface.directions[40].as_dvec3().normalize(), normal: DVec3::Z, height: 0.0 };
-        let expected = view.shading.shade(&illumination(&view.light), view.camera.eye.as_dvec3().normalize(), &hair);
+        let expected = view.shading.shade(&illumination(&view.lights), view.camera.eye.as_dvec3().normalize(), &hair);
         near(middle(&picture(&coat, &view)), expected, &format!("under fur, light {direction}"));
         let bare = View { options: Options { length_scale: 0.0, ..view.options }, ..view.clone() };
-        near(middle(&picture(&coat, &bare)), bare.shading.skin(&illumination(&bare.light), DVec3::Z), &format!("bare, light {direction}"));
+        near(middle(&picture(&coat, &bare)), bare.shading.skin(&illumination(&bare.lights), DVec3::Z), &format!("bare, light {direction}"));
     }
 }
 
@@ -110,9 +108,9 @@ fn bare_skin_is_of_the_mean_colour() {
     let (dark, mean) = ([0, 0, 0, 255], encode([0.5, 0.5, 0.5, 1.0]));
     let mips = [(2, dark.repeat(4)), (1, mean.to_vec())];
     let mips = mips.into_iter().map(|(side, texels)| MipImage { width: side, height: side, texels }).collect();
-    coat.shells = Arc::new(ShellTexture { layers: 1, mips });
+    coat.shells = Arc::new(ShellTexture::stack(1, mips));
     let view = front(LightingMode::Formula, light(Vec3::Z), Options { length_scale: 0.0, ..Options::default() });
-    near(middle(&picture(&coat, &view)), 0.5 * view.shading.skin(&illumination(&view.light), DVec3::Z), "bare");
+    near(middle(&picture(&coat, &view)), 0.5 * view.shading.skin(&illumination(&view.lights), DVec3::Z), "bare");
 }
 
 #[test]
@@ -126,6 +124,8 @@ fn fins_are_lit_as_the_formula_says() {
         positions: vec![Vec3::new(-0.5, -0.3, 0.0), Vec3::new(0.5, -0.3, 0.0)],
         normals: vec![normal; 2],
         offsets: vec![0.6 * Vec3::Y; 2],
+        bends: vec![Vec3::ZERO; 2],
+        ends: vec![1.0; 2],
         directions: vec![direction; 2],
         colours: vec![ALBEDO; 2],
     };
@@ -145,7 +145,7 @@ fn fins_are_lit_as_the_formula_says() {
         // The highlight is interpolated from the fin's corners.
         let corner = |x: f64, y: f64| {
             let toward = (DVec3::new(0.0, 0.0, 3.0) - DVec3::new(x, y, 0.0)).normalize();
-            view.shading.shade(&illumination(&view.light), toward, &hair)
+            view.shading.shade(&illumination(&view.lights), toward, &hair)
         };
         let expected = 0.25 * (corner(-0.5, -0.3) + corner(0.5, -0.3) + corner(-0.5, 0.3) + corner(0.5, 0.3));
         near(middle(&seen), expected, &format!("fin, light {toward_light}"));
@@ -174,6 +174,8 @@ fn fins_are_faded_and_left_out_as_the_processor_says() {
             coat.surface.positions.push(centre - 0.5 * offset + end * along);
             coat.surface.normals.push(Vec3::Z);
             coat.surface.offsets.push(offset);
+            coat.surface.bends.push(Vec3::ZERO);
+            coat.surface.ends.push(1.0);
             coat.surface.directions.push(Vec3::Z);
             coat.surface.colours.push(Vec3::ONE);
         }
@@ -190,7 +192,7 @@ fn fins_are_faded_and_left_out_as_the_processor_says() {
     let field_of_view = 2.0 * (0.3_f32 / distance).atan();
     let camera = Camera { eye: distance * Vec3::Z, target: Vec3::ZERO, up: Vec3::Y, field_of_view, near: 1.0 };
     let options = Options { surface: false, shells: false, ..Options::default() };
-    let seen = picture(&coat, &View { camera, light: light(Vec3::Z), shading: shading(), options });
+    let seen = picture(&coat, &View { camera, lights: light(Vec3::Z), shading: shading(), options });
     let (mut drawn, mut left_out, mut beyond) = (0, 0, 0);
     for (i, edge) in fin_edges(&coat).iter().enumerate() {
         let (column, row) = (i as u32 % COLUMNS, i as u32 / COLUMNS);

@@ -107,7 +107,7 @@ fn even_layers(layers: u32, through: f64) -> (ShellTexture, f64) {
     let alpha = (1.0 - through.powf(1.0 / f64::from(layers - 1))) as f32;
     let texel = encode([0.5 * alpha, 0.5 * alpha, 0.5 * alpha, alpha]);
     let covered = 1.0 - (1.0 - f64::from(texel[3]) / 255.0).powi(layers as i32 - 1);
-    (ShellTexture { layers, mips: vec![MipImage { width: 1, height: 1, texels: texel.repeat(layers as usize) }] }, covered)
+    (ShellTexture::stack(layers, vec![MipImage { width: 1, height: 1, texels: texel.repeat(layers as usize) }]), covered)
 }
 
 #[test]
@@ -218,9 +218,10 @@ fn written_depth_hides_fur_behind_fur() {
     let mut pair = coat(&shape, Style { length: 0.1, slant: 0.0, ..Style::default() }, &hair);
     let count = pair.surface.positions.len();
     pair.surface.positions = [0.0, -0.05].iter().flat_map(|&z| shape.positions.iter().map(move |p| *p + z * Vec3::Z)).collect();
-    for array in [&mut pair.surface.normals, &mut pair.surface.offsets, &mut pair.surface.directions] {
+    for array in [&mut pair.surface.normals, &mut pair.surface.offsets, &mut pair.surface.bends, &mut pair.surface.directions] {
         array.extend_from_within(..);
     }
+    pair.surface.ends.extend_from_within(..);
     pair.surface.colours = [Vec3::Y, Vec3::X].iter().flat_map(|&c| vec![c; count]).collect();
     let (vertices, corners) = (pair.patches.vertices.clone(), pair.patches.vertices.len() as u32);
     pair.patches.vertices.extend(vertices.iter().map(|v| v + count as u32));

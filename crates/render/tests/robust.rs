@@ -7,7 +7,7 @@ mod support;
 use std::sync::Arc;
 
 use glam::{Mat4, Vec2, Vec3};
-use pelage_coat::{Camera, Coat, CoatError, FinEdges, Light, MipImage, PatchMesh, ShellTexture, Surface};
+use pelage_coat::{Camera, Coat, CoatError, FinEdges, Irradiance, Lights, MipImage, PatchMesh, ShellTexture, Surface};
 use pelage_lighting::TableLayout;
 use pelage_render::{
     LightingMode, Offscreen, Options, RenderError, Renderer, ShellDepth, ShellRange, Target, View, Viewpoint, render_picture,
@@ -49,7 +49,7 @@ fn a_coat_without_faces_is_background() {
 #[test]
 fn one_layer_and_no_fin_is_skin() {
     let mut plain = ball();
-    plain.shells = Arc::new(ShellTexture { layers: 1, mips: vec![MipImage { width: 1, height: 1, texels: vec![200, 180, 160, 255] }] });
+    plain.shells = Arc::new(ShellTexture::stack(1, vec![MipImage { width: 1, height: 1, texels: vec![200, 180, 160, 255] }]));
     plain.fin = None;
     let seen = picture(&plain, &view(Options::default()));
     assert_eq!((seen.frame.shells_drawn, seen.frame.fins_drawn, seen.frame.fins_considered), (0, 0, 0));
@@ -78,7 +78,7 @@ fn shading_at_its_extremes_draws() {
         picture(&ball(), &extreme);
     }
     // Light exactly from behind: the half vector has no direction.
-    extreme.light.direction = -extreme.camera.toward_eye();
+    extreme.lights.directional[0].direction = -extreme.camera.toward_eye();
     picture(&ball(), &extreme);
 }
 
@@ -89,7 +89,7 @@ fn views_that_are_no_numbers_are_refused() {
         (View { camera: Camera { eye: camera().target, ..camera() }, ..fine.clone() }, "the camera"),
         (View { camera: Camera { field_of_view: f32::NAN, ..camera() }, ..fine.clone() }, "the camera"),
         (View { camera: Camera { near: f32::INFINITY, ..camera() }, ..fine.clone() }, "the camera"),
-        (View { light: Light { sky: Vec3::NAN, ..fine.light }, ..fine.clone() }, "the light"),
+        (View { lights: Lights { ambient: Irradiance([Vec3::NAN; 9]), ..fine.lights.clone() }, ..fine.clone() }, "the light"),
         (view(Options { length_scale: f32::NAN, ..Options::default() }), "the length scale, the alpha threshold or the step blur"),
         (
             view(Options { shell_depth: ShellDepth::Written { threshold: f32::NAN }, ..Options::default() }),
@@ -124,11 +124,11 @@ fn more_than_the_device_holds_is_refused_before_drawing() {
     let mut tall = ball();
     let layers = limits.max_texture_array_layers + 1;
     let texels = vec![255; 4 * layers as usize];
-    tall.shells = Arc::new(ShellTexture { layers, mips: vec![MipImage { width: 1, height: 1, texels }] });
+    tall.shells = Arc::new(ShellTexture::stack(layers, vec![MipImage { width: 1, height: 1, texels }]));
     let wide_side = limits.max_texture_dimension_2d + 1;
     let mut wide = ball();
     let texels = vec![255; 4 * wide_side as usize];
-    wide.shells = Arc::new(ShellTexture { layers: 1, mips: vec![MipImage { width: wide_side, height: 1, texels }] });
+    wide.shells = Arc::new(ShellTexture::stack(1, vec![MipImage { width: wide_side, height: 1, texels }]));
     for (coat, most) in [(tall, limits.max_texture_array_layers), (wide, limits.max_texture_dimension_2d)] {
         let error = draw(&coat, &view(Options::default()), SIZE, 4).expect_err("refused");
         assert!(matches!(error, RenderError::Limit { limit, needed, .. } if limit == u64::from(most) && needed == limit + 1), "{error}");

@@ -81,7 +81,7 @@ impl Floor {
         let shells = Kind { vertex: "shell", fragment, cull: Some(Face::Back), write: written, blend };
         let [surface, fins, shells] = [surface, fins, shells].map(|kind| pipeline(device, &module, target, &kind));
         let uniform = uniform(coat, view);
-        let shell_texture = (coat.shells.layers, &coat.shells.mips[..]);
+        let shell_texture = (coat.shells.layers(), &coat.shells.mips[..]);
         let fin = Arc::clone(coat.fin.as_ref().expect("a fin"));
         let skin_bind = [
             bind(device, queue, &surface, &uniform, shell_texture, AddressMode::Repeat),
@@ -110,7 +110,7 @@ impl Floor {
             corner_count: 3 * patches.faces.len() as u32,
             fin_corners: fin_vertices.len() as u32,
             fin_vertices: buffer(device, BufferUsages::VERTEX, bytemuck::cast_slice(&fin_vertices)),
-            layers: coat.shells.layers,
+            layers: coat.shells.layers(),
         }
     }
 
@@ -164,7 +164,7 @@ impl FullScreen {
         let blend = Some(BlendState::PREMULTIPLIED_ALPHA_BLENDING);
         let pipeline = pipeline(device, &module, target, &Kind { vertex: "full", fragment: "blended", cull: None, write: false, blend });
         let uniform = [0.0; 20];
-        let bind = bind(device, queue, &pipeline, &uniform, (coat.shells.layers, &coat.shells.mips), AddressMode::Repeat);
+        let bind = bind(device, queue, &pipeline, &uniform, (coat.shells.layers(), &coat.shells.mips), AddressMode::Repeat);
         Self { pipeline, bind, vertices: buffer(device, BufferUsages::VERTEX, &[0; 96]), count }
     }
 
@@ -180,7 +180,7 @@ fn uniform(coat: &Coat, view: &View) -> [f32; 20] {
     let aspect = super::SIZE.0 as f32 / super::SIZE.1 as f32;
     let mut values = [0.0; 20];
     values[..16].copy_from_slice(&view.camera.view_projection(aspect).to_cols_array());
-    values[16] = 1.0 / (coat.shells.layers - 1) as f32;
+    values[16] = 1.0 / (coat.shells.layers() - 1) as f32;
     if let ShellDepth::Written { threshold } = view.options.shell_depth {
         values[17] = threshold;
     }

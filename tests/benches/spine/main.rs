@@ -42,7 +42,7 @@ fn main() {
     println!("\n{} at {} × {}", headless.summary().name, SIZE.0, SIZE.1);
     let coat = scene.coat().expect("a coat");
     let (view, _) = scene.view(&coat).expect("a view");
-    println!("{} faces, {} edges, {} layers", coat.patches.faces.len(), coat.edges.vertices.len(), coat.shells.layers);
+    println!("{} faces, {} edges, {} layers", coat.patches.faces.len(), coat.edges.vertices.len(), coat.shells.layers());
     for samples in [1, 4] {
         bench(headless, &coat, &view, samples, rounds);
     }

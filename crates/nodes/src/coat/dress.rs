@@ -81,6 +81,8 @@ fn surface(dressing: &Dressing, frame: &Frame) -> Surface {
         surface.positions.push(frame.place(vertex.position()));
         surface.normals.push(normal.as_vec3());
         surface.offsets.push((dressing.length * local * up).as_vec3());
+        surface.bends.push(Vec3::ZERO);
+        surface.ends.push(1.0);
         surface.directions.push(hair_direction(lean, normal, along, up).as_vec3());
         let colour = dressing.colours.map_or(Vec3::ONE, |field| field.values()[vertex.index()]);
         surface.colours.push(colour * dressing.tint);

@@ -5,7 +5,7 @@ mod generator;
 mod random;
 mod saved;
 
-use pelage_coat::{Coat, FinTexture, Light, ShellTexture};
+use pelage_coat::{Coat, FinTexture, Lights, ShellTexture};
 use pelage_creature::Creature;
 use pelage_field::{ColourField, DirectionField, ScalarField};
 use pelage_graph::{CheckedGraph, EvaluateError, Evaluation, Evaluator, Registry, Request, Value};
@@ -33,7 +33,7 @@ fn print(value: &Value) -> String {
         FinTexture,
         Coat,
         Framing,
-        Light,
+        Lights,
         Shading,
         pelage_mesh::RepairReport
     );

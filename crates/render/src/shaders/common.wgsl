@@ -6,8 +6,7 @@ struct Frame {
     toward_eye: vec4f,    // the viewer at infinity; w unused
     light: vec4f,         // L; w unused
     light_colour: vec4f,
-    sky: vec4f,
-    ground: vec4f,
+    irradiance: array<vec4f, 9>,  // coefficients of 1, y, z, x, xy, yz, 3z² − 1, xz, x² − y² of the normal
     ambient: vec4f,       // Ka
     diffuse: vec4f,       // Kd, Pd / 2
     specular: vec4f,      // Ks, Ps / 2

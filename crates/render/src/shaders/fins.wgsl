@@ -51,7 +51,7 @@ fn fin_vertex(@builtin(vertex_index) corner: u32, @builtin(instance_index) edge:
     let n_dot_l = dot(v.normal, frame.light.xyz);
     return FinVertex(
         frame.clip_from_coat * vec4f(place, 1.0), vec4f(along, height, growth_of(v.offset), opacity),
-        v.colour * frame.ambient.xyz * hemisphere(v.normal),
+        v.colour * frame.ambient.xyz * irradiance(v.normal),
         vec4f(v.colour * reflected(factor) * frame.light_colour.xyz * facing(n_dot_l), slanted_density(n_dot_l)));
 }
 

@@ -35,13 +35,16 @@ fn floored(optical_depth: f32) -> f32 {
     return frame.shadow.y + (1.0 - frame.shadow.y) * exp(-optical_depth);
 }
 
-fn hemisphere(normal: vec3f) -> vec3f {
-    return mix(frame.ground.xyz, frame.sky.xyz, clamp(0.5 + 0.5 * normal.y, 0.0, 1.0));
+// pelage_coat::Irradiance::at.
+fn irradiance(n: vec3f) -> vec3f {
+    let even = frame.irradiance[0].xyz + frame.irradiance[6].xyz * (3.0 * n.z * n.z - 1.0) + frame.irradiance[8].xyz * (n.x * n.x - n.y * n.y);
+    let mixed = frame.irradiance[4].xyz * (n.x * n.y) + frame.irradiance[5].xyz * (n.y * n.z) + frame.irradiance[7].xyz * (n.x * n.z);
+    return max(even + mixed + frame.irradiance[1].xyz * n.y + frame.irradiance[2].xyz * n.z + frame.irradiance[3].xyz * n.x, vec3f(0.0));
 }
 
-// Ka · hemisphere(N) · sky(depth).
+// Ka · irradiance(N) · sky(depth).
 fn ambient_light(normal: vec3f, depth: f32) -> vec3f {
-    return frame.ambient.xyz * hemisphere(normal) * floored(frame.shadow.w * depth);
+    return frame.ambient.xyz * irradiance(normal) * floored(frame.shadow.w * depth);
 }
 
 // How far round the skin the light reaches.
@@ -76,5 +79,5 @@ fn hair_light(position: vec3f, normal: vec3f, direction: vec3f, height: f32) -> 
 // The light that bare skin of albedo 1 sends out.
 fn skin_light(normal: vec3f) -> vec3f {
     let n_dot_l = clamp(dot(normal, frame.light.xyz), 0.0, 1.0);
-    return frame.ambient.xyz * hemisphere(normal) + frame.diffuse.xyz * frame.light_colour.xyz * n_dot_l;
+    return frame.ambient.xyz * irradiance(normal) + frame.diffuse.xyz * frame.light_colour.xyz * n_dot_l;
 }

@@ -83,7 +83,7 @@ pub fn flat_hair(layers: u32, colour: Vec3) -> Hair {
     let texel = encode([colour.x, colour.y, colour.z, 1.0]);
     let mip = |layers: u32| MipImage { width: 1, height: 1, texels: texel.repeat(layers as usize) };
     Hair {
-        shells: Arc::new(ShellTexture { layers, mips: vec![mip(layers)] }),
+        shells: Arc::new(ShellTexture::stack(layers, vec![mip(layers)])),
         fin: Arc::new(FinTexture { tiles_across: 1.0, mips: vec![mip(1)] }),
     }
 }
