@@ -200,6 +200,7 @@ impl RenderImage {
                 },
                 anisotropy: self.anisotropy as u16,
                 step_blur: self.step_blur as f32,
+                ..Options::default()
             },
         }
     }

@@ -38,6 +38,22 @@ pub enum RenderError {
         /// How many it takes.
         limit: u64,
     },
+    /// More lights than a frame has room for.
+    #[error("{found} directional lights; a view takes at most {limit}, so leave some out or add them to the ambient light")]
+    Lights {
+        /// How many there are.
+        found: usize,
+        /// How many there can be.
+        limit: usize,
+    },
+    /// Textures in a form that the device cannot read.
+    #[error("the shell texture is {what}, which this graphics device does not read; {remedy}")]
+    Encoding {
+        /// In which form.
+        what: &'static str,
+        /// What to do.
+        remedy: &'static str,
+    },
     /// A number of samples that a picture cannot have.
     #[error("{samples} samples a pixel are not possible on this adapter; ask for 1 or 4")]
     Samples {

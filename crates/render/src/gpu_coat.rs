@@ -1,52 +1,75 @@
 //! A coat on the device.
 
-use bytemuck::Pod;
+use glam::Vec3;
 use pelage_coat::Coat;
-use wgpu::{
-    BindGroup, BindGroupDescriptor, BindGroupEntry, BindGroupLayout, BindingResource, Buffer, BufferDescriptor, BufferUsages, Device, Queue,
-};
+use wgpu::{BindGroup, BindGroupDescriptor, BindGroupEntry, BindGroupLayout, BindingResource, Buffer, BufferUsages, Device, Queue};
 
-use crate::{FinEdge, GpuTextures, fin_edges, pack};
+use crate::buffers::array;
+use crate::furred_faces::{FurredFaces, Run};
+use crate::pipelines::CoatTraits;
+use crate::{GpuTextures, pack};
 
 /// A coat's arrays and textures on the device, made by [`crate::Renderer::upload`].
 #[derive(Debug)]
 pub struct GpuCoat {
     pub(crate) bind_group: BindGroup,
+    pub(crate) skin: Buffer,
+    pub(crate) fur: Buffer,
+    pub(crate) looks: Buffer,
+    pub(crate) edges: Buffer,
     pub(crate) tiles: Buffer,
     /// Every face, and those with fur alone.
     pub(crate) faces: Buffer,
     pub(crate) furred_faces: Buffer,
+    /// The run of each furred face.
+    pub(crate) run_of: Buffer,
+    pub(crate) runs: Vec<Run>,
     pub(crate) corner_count: u32,
-    pub(crate) furred_corner_count: u32,
     pub(crate) edge_count: u32,
-    /// To count by.
-    pub(crate) fin_edges: Vec<FinEdge>,
-    textures: GpuTextures,
+    pub(crate) traits: CoatTraits,
+    /// The longest hair, in diameters.
+    pub(crate) length: f32,
+    /// The patch of each patch vertex, to count by.
+    pub(crate) patch_of: Vec<u32>,
+    pub(crate) patch_count: u32,
+    pub(crate) textures: GpuTextures,
 }
 
 impl GpuCoat {
     /// Uploads a coat that has passed its own check and the device's limits.
     pub(crate) fn new(device: &Device, queue: &Queue, layout: &BindGroupLayout, coat: &Coat, textures: GpuTextures) -> Self {
-        let storage = |label, bytes: &[u8]| buffer(device, queue, label, BufferUsages::STORAGE, bytes);
-        let skin = storage("skin", bytemuck::cast_slice(&pack::skin(&coat.surface)));
-        let fur = storage("fur", bytemuck::cast_slice(&pack::fur(&coat.surface)));
-        let colours = storage("colours", bytemuck::cast_slice(&pack::colours(&coat.surface)));
-        let edges = storage("edges", bytemuck::cast_slice(&pack::edges(&coat.edges)));
-        let buffers = [&skin, &fur, &colours, &edges].map(Buffer::as_entire_binding);
-        let views = [&textures.shells, &textures.fin].map(BindingResource::TextureView);
-        let entries: Vec<BindGroupEntry<'_>> =
-            buffers.into_iter().chain(views).zip(0..).map(|(resource, binding)| BindGroupEntry { binding, resource }).collect();
+        let storage = BufferUsages::STORAGE;
+        let skin = array(device, queue, "skin", storage, &pack::skin(&coat.surface));
+        let fur = array(device, queue, "fur", storage, &pack::fur(&coat.surface));
+        let looks = array(device, queue, "looks", storage, &pack::looks(&coat.surface));
+        let edges = array(device, queue, "edges", storage, &pack::edges(&coat.edges));
+        let mut resources = [&skin, &fur, &looks, &edges].map(Buffer::as_entire_binding).to_vec();
+        resources.push(BindingResource::TextureView(&textures.fin));
+        let entries: Vec<_> = resources.into_iter().zip(0..).map(|(resource, binding)| BindGroupEntry { binding, resource }).collect();
         let bind_group = device.create_bind_group(&BindGroupDescriptor { label: Some("coat"), layout, entries: &entries });
-        let furred = pack::furred_faces(coat);
+        let furred = FurredFaces::of(coat);
+        let tiles = pack::tiles(&coat.surface, &coat.patches);
         Self {
             bind_group,
-            tiles: array(device, queue, "patch vertices", BufferUsages::VERTEX, &pack::tiles(&coat.patches)),
+            tiles: array(device, queue, "patch vertices", BufferUsages::VERTEX | storage, &tiles),
             faces: array(device, queue, "faces", BufferUsages::INDEX, &coat.patches.faces),
-            furred_faces: array(device, queue, "furred faces", BufferUsages::INDEX, &furred),
+            furred_faces: array(device, queue, "furred faces", BufferUsages::INDEX | storage, &furred.faces),
+            run_of: array(device, queue, "runs", storage, &furred.run_of),
+            runs: furred.runs,
             corner_count: 3 * coat.patches.faces.len() as u32,
-            furred_corner_count: 3 * furred.len() as u32,
             edge_count: if textures.has_fin { coat.edges.vertices.len() as u32 } else { 0 },
-            fin_edges: if textures.has_fin { fin_edges(coat) } else { Vec::new() },
+            traits: CoatTraits {
+                bent: coat.surface.bends.iter().any(|&bend| bend != Vec3::ZERO),
+                cut: coat.surface.ends.iter().any(|&end| end < 1.0),
+                direction_map: textures.has_directions,
+            },
+            length: coat.surface.offsets.iter().map(|offset| offset.length()).fold(0.0, f32::max),
+            patch_of: patch_of(coat),
+            patch_count: coat.patches.patch_ends.len() as u32,
+            skin,
+            fur,
+            looks,
+            edges,
             textures,
         }
     }
@@ -56,27 +79,25 @@ impl GpuCoat {
         &self.textures
     }
 
-    /// How many layers its stack has, the skin included.
+    /// How many shells its finest level of detail has, the skin included.
     pub fn layers(&self) -> u32 {
-        self.textures.layers
+        self.textures.levels.first().map_or(0, Vec::len) as u32
+    }
+
+    /// How many faces have fur.
+    pub fn furred_face_count(&self) -> u32 {
+        self.runs.last().map_or(0, |run| run.faces)
     }
 }
 
-fn array<T: Pod>(device: &Device, queue: &Queue, label: &str, usage: BufferUsages, items: &[T]) -> Buffer {
-    buffer(device, queue, label, usage, bytemuck::cast_slice(items))
-}
-
-/// A buffer with these bytes; empty ones get a few, as nothing cannot be bound.
-fn buffer(device: &Device, queue: &Queue, label: &str, usage: BufferUsages, bytes: &[u8]) -> Buffer {
-    let size = (bytes.len() as u64).next_multiple_of(4).max(16);
-    let buffer = device.create_buffer(&BufferDescriptor {
-        label: Some(label),
-        size,
-        usage: usage | BufferUsages::COPY_DST,
-        mapped_at_creation: false,
-    });
-    if !bytes.is_empty() {
-        queue.write_buffer(&buffer, 0, bytes);
+fn patch_of(coat: &Coat) -> Vec<u32> {
+    let mut patch_of = vec![0; coat.patches.vertices.len()];
+    let mut first = 0;
+    for (patch, &end) in coat.patches.patch_ends.iter().enumerate() {
+        for &corner in coat.patches.faces[first..end as usize].iter().flatten() {
+            patch_of[corner as usize] = patch as u32;
+        }
+        first = end as usize;
     }
-    buffer
+    patch_of
 }

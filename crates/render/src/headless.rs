@@ -35,7 +35,7 @@ pub struct Headless {
 }
 
 impl Headless {
-    /// The best adapter there is, with all its limits, and with timestamps where it has them.
+    /// The best adapter there is, with all its limits, and with timestamps and textures in blocks where it has them.
     ///
     /// The environment variables of wgpu (`WGPU_BACKEND`, …) choose among several.
     ///
@@ -53,7 +53,7 @@ impl Headless {
         };
         let descriptor = DeviceDescriptor {
             label: Some("pelage"),
-            required_features: adapter.features() & Features::TIMESTAMP_QUERY,
+            required_features: adapter.features() & (Features::TIMESTAMP_QUERY | Features::TEXTURE_COMPRESSION_BC),
             required_limits: adapter.limits(),
             ..DeviceDescriptor::default()
         };

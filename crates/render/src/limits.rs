@@ -4,6 +4,8 @@ use pelage_coat::{Coat, MipImage};
 use wgpu::Limits;
 
 use crate::RenderError;
+use crate::schedule::MOST_SHELLS;
+use crate::selection::MOST_ITEMS;
 
 /// Checks a coat against a device's limits.
 pub(crate) fn check_coat(limits: &Limits, coat: &Coat) -> Result<(), RenderError> {
@@ -11,13 +13,16 @@ pub(crate) fn check_coat(limits: &Limits, coat: &Coat) -> Result<(), RenderError
     let vertices = coat.surface.positions.len() as u64;
     at_most("bytes of vertices, so coarsen the mesh or draw it in parts", 16 * vertices, storage)?;
     at_most("bytes of edges for fins, so coarsen the mesh or draw it in parts", 48 * coat.edges.vertices.len() as u64, storage)?;
+    at_most("edges for fins, so coarsen the mesh or draw it in parts", coat.edges.vertices.len() as u64, MOST_ITEMS)?;
+    at_most("faces, so coarsen the mesh or draw it in parts", coat.patches.faces.len() as u64, MOST_ITEMS)?;
     let patches = &coat.patches;
-    let largest = (12 * patches.vertices.len() as u64).max(12 * patches.faces.len() as u64);
-    at_most("bytes of patch vertices or faces, so coarsen the mesh or draw it in parts", largest, limits.max_buffer_size)?;
+    let largest = (24 * patches.vertices.len() as u64).max(12 * patches.faces.len() as u64);
+    at_most("bytes of patch vertices or faces, so coarsen the mesh or draw it in parts", largest, storage)?;
     // Index counts are 32 bits wide.
     at_most("corners of faces, so coarsen the mesh or draw it in parts", 3 * patches.faces.len() as u64, u64::from(u32::MAX))?;
-    let layers = u64::from(coat.shells.layers());
-    at_most("shell layers, so sample fewer", layers, u64::from(limits.max_texture_array_layers))?;
+    at_most("shells, so draw fewer", u64::from(coat.shells.layers()), MOST_SHELLS as u64)?;
+    let images = u64::from(coat.shells.images);
+    at_most("images of shells, so sample fewer layers, or leave levels of detail out", images, u64::from(limits.max_texture_array_layers))?;
     let fin = coat.fin.as_ref().map_or(&[][..], |fin| &fin.mips);
     coat.shells.mips.iter().chain(fin).try_for_each(|mip| check_image(limits, mip))
 }

@@ -7,6 +7,7 @@ use wgpu::{CommandEncoder, CommandEncoderDescriptor, TextureFormat};
 
 use crate::attachments::{Attachments, Place};
 use crate::background::BackgroundPass;
+use crate::counts::Counts;
 use crate::timing::PassTimer;
 use crate::{
     FrameStats, FrameTimes, GpuCoat, Headless, Picture, PreparedView, RenderError, Renderer, Target, View, Viewpoint, limits, readback,
@@ -96,6 +97,7 @@ impl Offscreen {
         let buffer = readback::readable(device, u64::from(stride) * u64::from(height));
         let mut encoder = self.encoder();
         self.encode(&mut encoder, attachments, coat, &prepared, self.timer.as_ref());
+        let counts = Counts::record(device, &mut encoder, &prepared);
         readback::copy_pixels(&mut encoder, &attachments.pixels, &buffer);
         self.headless.queue().submit([encoder.finish()]);
         // A refused frame leaves nothing to read.
@@ -103,13 +105,7 @@ impl Offscreen {
         let pixels = readback::read(device, &buffer, <[u8]>::to_vec)?;
         let passes = self.timer.as_ref().map(|timer| timer.read(device, self.headless.queue())).transpose()?;
         self.headless.check()?;
-        let frame = FrameStats {
-            shells_drawn: prepared.shell_count(),
-            fins_drawn: prepared.fin_count(coat),
-            fins_considered: prepared.fins_considered(coat),
-            triangles: prepared.triangle_count(coat),
-            passes,
-        };
+        let frame = FrameStats { passes, ..counts.read(device, coat, &prepared)? };
         let rows = pixels.chunks(stride as usize).flat_map(|row| &row[..4 * width as usize]);
         let mut rgba: Vec<u8> = rows.copied().collect();
         let coverage = rgba.chunks_exact(4).map(|pixel| pixel[3]).collect();
@@ -152,7 +148,7 @@ impl Offscreen {
         self.renderer.prepare(self.headless.device(), self.headless.queue(), coat, view, &viewpoint)
     }
 
-    /// One pass, or three of them if they are timed.
+    /// What is computed ahead, then one drawing pass, or three of them if they are timed.
     fn encode(
         &self,
         encoder: &mut CommandEncoder,
@@ -161,6 +157,7 @@ impl Offscreen {
         view: &PreparedView,
         timer: Option<&PassTimer>,
     ) {
+        self.renderer.compute_timed(encoder, view, timer.map(PassTimer::compute_writes));
         let Some(timer) = timer else {
             let mut pass = attachments.pass(encoder, "frame", Place { first: true, last: true }, None);
             self.background.draw(&mut pass);

@@ -1,10 +1,13 @@
 //! Vertex arrays as the shaders read them; mirrors common.wgsl.
 //!
-//! Per surface vertex 40 bytes, shared by surface, shells and fins: what never moves (position, normal), what combing and motion rewrite
-//! (offset, hair direction) and the colour, each an array of its own. Per patch vertex 12: which surface vertex, and where on the tile.
+//! Per surface vertex 48 bytes, shared by surface, shells and fins: what never moves (position, normal), what combing and motion rewrite
+//! (offset, hair direction) and how it looks (colour, end, bend), each an array of its own. Per patch vertex 24: which surface vertex, where on the
+//! tile, how the tile lies, and the middle of its patch.
 
 use glam::{Vec2, Vec3};
-use pelage_coat::{Coat, FinEdges, PatchMesh, Surface};
+use pelage_coat::{FinEdges, PatchMesh, Surface};
+
+use crate::tile_frame::TileFrames;
 
 /// A patch vertex.
 #[repr(C)]
@@ -14,6 +17,12 @@ pub(crate) struct TileVertex {
     pub(crate) index: u32,
     /// Tile coordinates.
     pub(crate) tile: [f32; 2],
+    /// The direction of the tile's *s* on the surface.
+    pub(crate) tangent: u32,
+    /// How much of the surface, in diameters, a tile takes there.
+    pub(crate) tile_side: f32,
+    /// The surface vertex in the middle of its patch.
+    pub(crate) patch_vertex: u32,
 }
 
 /// Positions and normals.
@@ -26,21 +35,31 @@ pub(crate) fn fur(surface: &Surface) -> Vec<[u32; 4]> {
     surface.offsets.iter().zip(&surface.directions).map(|(&offset, &direction)| with_bits(offset, mean_direction(direction))).collect()
 }
 
-/// Colours as half floats, which keep the darks and take values above 1.
-pub(crate) fn colours(surface: &Surface) -> Vec<[u32; 2]> {
+/// Colours, ends and bends as half floats, which keep the darks and take colours above 1.
+pub(crate) fn looks(surface: &Surface) -> Vec<[u32; 4]> {
     let pair = |a: f32, b: f32| u32::from(half(a)) | u32::from(half(b)) << 16;
-    surface.colours.iter().map(|c| [pair(c.x, c.y), pair(c.z, 0.0)]).collect()
+    let bends_and_ends = surface.bends.iter().zip(&surface.ends);
+    surface
+        .colours
+        .iter()
+        .zip(bends_and_ends)
+        .map(|(c, (b, &end))| [pair(c.x, c.y), pair(c.z, end), pair(b.x, b.y), pair(b.z, 0.0)])
+        .collect()
 }
 
 /// Patch vertices.
-pub(crate) fn tiles(patches: &PatchMesh) -> Vec<TileVertex> {
-    patches.vertices.iter().zip(&patches.coordinates).map(|(&index, tile)| TileVertex { index, tile: tile.to_array() }).collect()
-}
-
-/// The faces of which a corner has fur, in their order.
-pub(crate) fn furred_faces(coat: &Coat) -> Vec<[u32; 3]> {
-    let furred = |corner: &u32| coat.surface.offsets[coat.patches.vertices[*corner as usize] as usize] != Vec3::ZERO;
-    coat.patches.faces.iter().filter(|face| face.iter().any(furred)).copied().collect()
+pub(crate) fn tiles(surface: &Surface, patches: &PatchMesh) -> Vec<TileVertex> {
+    let frames = TileFrames::of(surface, patches);
+    let vertices = patches.vertices.iter().zip(&patches.coordinates).zip(frames.axes.iter().zip(&frames.middles));
+    vertices
+        .map(|((&index, tile), (axis, &patch_vertex))| TileVertex {
+            index,
+            tile: tile.to_array(),
+            tangent: octahedral(*axis),
+            tile_side: axis.length(),
+            patch_vertex,
+        })
+        .collect()
 }
 
 /// Edges: ends and interval; first normal and curvature; second normal.

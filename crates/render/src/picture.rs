@@ -22,6 +22,16 @@ pub struct Picture {
 pub struct FrameStats {
     /// Layers drawn as shells; the skin, layer 0, is not counted.
     pub shells_drawn: u32,
+    /// Faces of which the shells are drawn, of the furred ones.
+    pub faces_drawn: u32,
+    /// Faces with fur.
+    pub faces_furred: u32,
+    /// Patches with a face among those drawn.
+    pub patches_drawn: u32,
+    /// All patches.
+    pub patches: u32,
+    /// The level of detail; 0 is the finest, each has half the shells of the one before, a fraction blends.
+    pub level: f32,
     /// Fins with any opacity.
     pub fins_drawn: u32,
     /// Edges looked at for fins.

@@ -1,23 +1,22 @@
-//! The pipelines of the three passes, made when first asked for.
+//! The pipelines of the drawing passes, made when first asked for.
 
-use std::sync::OnceLock;
+use std::collections::HashMap;
+use std::sync::{Mutex, PoisonError};
 
 use wgpu::{
-    BindGroupLayout, BindGroupLayoutDescriptor, BindGroupLayoutEntry, BindingType, BlendState, BufferBindingType, ColorTargetState,
-    ColorWrites, Device, Face, FragmentState, PipelineCompilationOptions, PipelineLayout, PipelineLayoutDescriptor, PrimitiveState,
-    PrimitiveTopology, RenderPipeline, RenderPipelineDescriptor, SamplerBindingType, ShaderModule, ShaderModuleDescriptor, ShaderSource,
-    ShaderStages, TextureSampleType, TextureViewDimension, VertexBufferLayout, VertexState, VertexStepMode, vertex_attr_array,
+    BindGroupLayout, BindGroupLayoutDescriptor, BindGroupLayoutEntry, BindingType, BlendComponent, BlendFactor, BlendOperation, BlendState,
+    BufferBindingType, ColorTargetState, ColorWrites, Device, Face, FragmentState, MultisampleState, PipelineCompilationOptions,
+    PipelineLayout, PipelineLayoutDescriptor, PrimitiveState, PrimitiveTopology, RenderPipeline, RenderPipelineDescriptor,
+    SamplerBindingType, ShaderModule, ShaderModuleDescriptor, ShaderSource, ShaderStages, TextureSampleType, TextureViewDimension,
+    VertexBufferLayout, VertexState, VertexStepMode, vertex_attr_array,
 };
 
 use crate::pack::TileVertex;
-use crate::{LightingMode, ShellDepth, Target};
+use crate::shader::assemble;
+use crate::{LightingMode, Options, ShellDepth, Target};
 
-/// A pass's file after the shared ones; WGSL has no includes.
-macro_rules! shader {
-    ($pass:literal) => {
-        concat!(include_str!("shaders/common.wgsl"), include_str!("shaders/lighting.wgsl"), include_str!(concat!("shaders/", $pass)))
-    };
-}
+const SHARED: [&str; 3] =
+    [include_str!("shaders/common.wgsl"), include_str!("shaders/bindings.wgsl"), include_str!("shaders/lighting.wgsl")];
 
 /// What to draw with, for one view.
 #[derive(Clone, Debug)]
@@ -27,18 +26,110 @@ pub(crate) struct PassPipelines {
     pub(crate) shells: RenderPipeline,
 }
 
-/// Layouts, shaders and the pipelines made so far.
+/// Everything that the shaders are compiled for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub(crate) struct Variant {
+    lighting: Lit,
+    depth: Depth,
+    /// The hair's direction comes from a map.
+    map: bool,
+    /// Hair bends on its way.
+    bent: bool,
+    /// Hair is cut off somewhere.
+    cut: bool,
+    /// Shells are more or less than their image.
+    shared: bool,
+    /// A hair shades what is under it.
+    hair_shadow: bool,
+    /// Layers in each shell.
+    marched: u32,
+}
+
+/// Where the first light is evaluated.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+enum Lit {
+    Patch,
+    Vertex,
+    Formula,
+    Table,
+}
+
+/// [`ShellDepth`] without its numbers.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+enum Depth {
+    Written,
+    Tested,
+    Coverage,
+}
+
+/// What a coat has that a shader needs to know.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub(crate) struct CoatTraits {
+    pub(crate) bent: bool,
+    pub(crate) cut: bool,
+    pub(crate) direction_map: bool,
+}
+
+impl Variant {
+    /// For a view's options on a coat; `shared` as the schedule says.
+    pub(crate) fn new(options: &Options, coat: CoatTraits, shared: bool) -> Self {
+        let lighting = match options.lighting {
+            LightingMode::PerPatch => Lit::Patch,
+            LightingMode::PerVertex => Lit::Vertex,
+            LightingMode::Formula => Lit::Formula,
+            LightingMode::Table(_) => Lit::Table,
+        };
+        let depth = match options.shell_depth {
+            ShellDepth::Written { .. } => Depth::Written,
+            ShellDepth::Tested => Depth::Tested,
+            ShellDepth::Coverage { .. } => Depth::Coverage,
+        };
+        let per_pixel = matches!(lighting, Lit::Formula | Lit::Table);
+        Self {
+            lighting,
+            depth,
+            map: per_pixel && options.direction_map && coat.direction_map,
+            bent: coat.bent,
+            cut: coat.cut,
+            shared,
+            hair_shadow: options.hair_shadow > 0.0,
+            marched: if options.march.layers > 1 || options.march.steps > 1 { options.march.layers.max(1) } else { 0 },
+        }
+    }
+
+    /// The names that the shaders' conditions ask for.
+    fn flags(&self) -> Vec<&'static str> {
+        let per_pixel = matches!(self.lighting, Lit::Formula | Lit::Table);
+        let march = self.marched > 0;
+        let flags = [
+            ("PATCH", self.lighting == Lit::Patch),
+            ("PIXEL", per_pixel),
+            ("TABLE", self.lighting == Lit::Table),
+            ("MAP", self.map),
+            ("BENT", self.bent),
+            ("CUT", self.cut),
+            ("SHARED", self.shared),
+            ("HAIR_SHADOW", self.hair_shadow),
+            ("MARCH", march),
+            ("SPLIT", per_pixel || self.hair_shadow),
+            ("AXES", self.map || march || self.hair_shadow),
+        ];
+        flags.into_iter().filter_map(|(name, on)| on.then_some(name)).collect()
+    }
+
+    fn source(&self, pass: &str) -> String {
+        format!("const MARCHED: u32 = {}u;\n{}", self.marched.max(1), assemble(&[SHARED[0], SHARED[1], SHARED[2], pass], &self.flags()))
+    }
+}
+
+/// Layouts, and the pipelines made so far.
 #[derive(Debug)]
 pub(crate) struct Pipelines {
     target: Target,
     pub(crate) frame_layout: BindGroupLayout,
     pub(crate) coat_layout: BindGroupLayout,
     layout: PipelineLayout,
-    surface: ShaderModule,
-    fins: ShaderModule,
-    shells: ShaderModule,
-    /// By lighting mode, then by shell depth.
-    made: [[OnceLock<PassPipelines>; 2]; 3],
+    made: Mutex<HashMap<Variant, PassPipelines>>,
 }
 
 impl Pipelines {
@@ -50,142 +141,174 @@ impl Pipelines {
             bind_group_layouts: &[Some(&frame_layout), Some(&coat_layout)],
             immediate_size: 0,
         });
-        let module = |label, source: &str| {
-            device.create_shader_module(ShaderModuleDescriptor { label: Some(label), source: ShaderSource::Wgsl(source.into()) })
-        };
-        Self {
-            target,
-            frame_layout,
-            coat_layout,
-            layout,
-            surface: module("surface", shader!("surface.wgsl")),
-            fins: module("fins", shader!("fins.wgsl")),
-            shells: module("shells", shader!("shells.wgsl")),
-            made: Default::default(),
-        }
+        Self { target, frame_layout, coat_layout, layout, made: Mutex::default() }
     }
 
-    /// The pipelines for a view's options.
-    pub(crate) fn get(&self, device: &Device, lighting: LightingMode, depth: ShellDepth) -> PassPipelines {
-        let lighting = match lighting {
-            LightingMode::PerVertex => 0,
-            LightingMode::Formula => 1,
-            LightingMode::Table(_) => 2,
-        };
-        let written = matches!(depth, ShellDepth::Written { .. });
-        self.made[lighting][usize::from(written)].get_or_init(|| self.make(device, lighting, written)).clone()
+    /// The pipelines for a variant.
+    pub(crate) fn get(&self, device: &Device, variant: Variant) -> PassPipelines {
+        // A panic elsewhere leaves whole pipelines in the map.
+        let mut made = self.made.lock().unwrap_or_else(PoisonError::into_inner);
+        made.entry(variant).or_insert_with(|| self.make(device, variant)).clone()
     }
 
-    fn make(&self, device: &Device, lighting: usize, shells_write: bool) -> PassPipelines {
+    fn make(&self, device: &Device, variant: Variant) -> PassPipelines {
         let surface = Pass {
-            module: &self.surface,
+            source: include_str!("shaders/surface.wgsl"),
             vertex: "surface_vertex",
             fragment: "surface_fragment",
-            tiles: true,
+            buffers: 1,
             // Where an open surface shows its back, it is skin all the same.
             primitive: PrimitiveState::default(),
             write_depth: true,
             blend: None,
+            to_coverage: false,
         };
+        let blend = Some(BlendState::PREMULTIPLIED_ALPHA_BLENDING);
         let fins = Pass {
-            module: &self.fins,
+            source: include_str!("shaders/fins.wgsl"),
             vertex: "fin_vertex",
             fragment: "fin_fragment",
-            tiles: false,
+            buffers: 0,
             primitive: PrimitiveState { topology: PrimitiveTopology::TriangleStrip, ..PrimitiveState::default() },
             write_depth: false,
-            blend: Some(BlendState::PREMULTIPLIED_ALPHA_BLENDING),
+            blend,
+            to_coverage: false,
         };
         let shells = Pass {
-            module: &self.shells,
+            source: include_str!("shaders/shells.wgsl"),
             vertex: "shell_vertex",
-            fragment: if shells_write { "shell_tested" } else { "shell_blended" },
-            tiles: true,
+            fragment: match variant.depth {
+                Depth::Written => "shell_tested",
+                Depth::Tested => "shell_blended",
+                Depth::Coverage => "shell_covering",
+            },
+            buffers: 2,
             primitive: PrimitiveState { cull_mode: Some(Face::Back), ..PrimitiveState::default() },
-            write_depth: shells_write,
-            blend: Some(BlendState::PREMULTIPLIED_ALPHA_BLENDING),
+            write_depth: variant.depth != Depth::Tested,
+            blend: if variant.depth == Depth::Coverage { Some(COVERING) } else { blend },
+            to_coverage: variant.depth == Depth::Coverage && self.target.samples > 1,
         };
         PassPipelines {
-            surface: self.pipeline(device, &surface, lighting),
-            fins: self.pipeline(device, &fins, lighting),
-            shells: self.pipeline(device, &shells, lighting),
+            surface: self.pipeline(device, &surface, variant),
+            fins: self.pipeline(device, &fins, variant),
+            shells: self.pipeline(device, &shells, variant),
         }
     }
 
-    fn pipeline(&self, device: &Device, pass: &Pass<'_>, lighting: usize) -> RenderPipeline {
-        let constants = [("LIGHTING", lighting as f64)];
-        let options = PipelineCompilationOptions { constants: &constants, ..PipelineCompilationOptions::default() };
-        let attributes = vertex_attr_array![0 => Uint32, 1 => Float32x2];
-        let tiles = [Some(VertexBufferLayout {
-            array_stride: size_of::<TileVertex>() as u64,
-            step_mode: VertexStepMode::Vertex,
-            attributes: &attributes,
-        })];
+    fn pipeline(&self, device: &Device, pass: &Pass<'_>, variant: Variant) -> RenderPipeline {
+        let module = self.module(device, pass, variant);
+        let tile = vertex_attr_array![0 => Uint32, 1 => Float32x2, 2 => Uint32, 3 => Float32, 4 => Uint32];
+        let shell = vertex_attr_array![5 => Uint32];
+        let layout = |stride: usize, step_mode, attributes| VertexBufferLayout { array_stride: stride as u64, step_mode, attributes };
+        let buffers = [
+            Some(layout(size_of::<TileVertex>(), VertexStepMode::Vertex, &tile[..])),
+            Some(layout(size_of::<u32>(), VertexStepMode::Instance, &shell[..])),
+        ];
         device.create_render_pipeline(&RenderPipelineDescriptor {
             label: Some(pass.vertex),
             layout: Some(&self.layout),
             vertex: VertexState {
-                module: pass.module,
+                module: &module,
                 entry_point: Some(pass.vertex),
-                compilation_options: options.clone(),
-                buffers: if pass.tiles { &tiles } else { &[] },
+                compilation_options: PipelineCompilationOptions::default(),
+                buffers: &buffers[..pass.buffers],
             },
             primitive: pass.primitive,
             depth_stencil: Some(self.target.depth_state(pass.write_depth)),
-            multisample: self.target.multisample_state(),
+            multisample: MultisampleState { alpha_to_coverage_enabled: pass.to_coverage, ..self.target.multisample_state() },
             fragment: Some(FragmentState {
-                module: pass.module,
+                module: &module,
                 entry_point: Some(pass.fragment),
-                compilation_options: options,
+                compilation_options: PipelineCompilationOptions::default(),
                 targets: &[Some(ColorTargetState { format: self.target.colour, blend: pass.blend, write_mask: ColorWrites::ALL })],
             }),
             multiview_mask: None,
             cache: None,
         })
     }
+
+    fn module(&self, device: &Device, pass: &Pass<'_>, variant: Variant) -> ShaderModule {
+        device.create_shader_module(ShaderModuleDescriptor {
+            label: Some(pass.vertex),
+            source: ShaderSource::Wgsl(variant.source(pass.source).into()),
+        })
+    }
 }
+
+/// A sample that is drawn is replaced; what the target's alpha says of coverage only grows.
+const COVERING: BlendState = BlendState {
+    color: BlendComponent { src_factor: BlendFactor::One, dst_factor: BlendFactor::Zero, operation: BlendOperation::Add },
+    alpha: BlendComponent { src_factor: BlendFactor::One, dst_factor: BlendFactor::OneMinusSrcAlpha, operation: BlendOperation::Add },
+};
 
 /// What differs between the passes.
 struct Pass<'a> {
-    module: &'a ShaderModule,
+    source: &'a str,
     vertex: &'a str,
     fragment: &'a str,
-    tiles: bool,
+    /// Vertex buffers: patch vertices, then which shell.
+    buffers: usize,
     primitive: PrimitiveState,
     write_depth: bool,
     blend: Option<BlendState>,
+    to_coverage: bool,
 }
 
-fn entry(binding: u32, visibility: ShaderStages, ty: BindingType) -> BindGroupLayoutEntry {
+pub(crate) fn entry(binding: u32, visibility: ShaderStages, ty: BindingType) -> BindGroupLayoutEntry {
     BindGroupLayoutEntry { binding, visibility, ty, count: None }
 }
 
-fn texture(dimension: TextureViewDimension) -> BindingType {
+pub(crate) fn uniform() -> BindingType {
+    BindingType::Buffer { ty: BufferBindingType::Uniform, has_dynamic_offset: false, min_binding_size: None }
+}
+
+pub(crate) fn storage(read_only: bool) -> BindingType {
+    BindingType::Buffer { ty: BufferBindingType::Storage { read_only }, has_dynamic_offset: false, min_binding_size: None }
+}
+
+pub(crate) fn texture(dimension: TextureViewDimension) -> BindingType {
     BindingType::Texture { sample_type: TextureSampleType::Float { filterable: true }, view_dimension: dimension, multisampled: false }
 }
 
-fn frame_entries() -> [BindGroupLayoutEntry; 5] {
+fn frame_entries() -> [BindGroupLayoutEntry; 9] {
     let both = ShaderStages::VERTEX_FRAGMENT;
-    let uniform = BindingType::Buffer { ty: BufferBindingType::Uniform, has_dynamic_offset: false, min_binding_size: None };
     let sampler = BindingType::Sampler(SamplerBindingType::Filtering);
     [
-        entry(0, both, uniform),
-        entry(1, both, texture(TextureViewDimension::D2)),
-        entry(2, both, sampler),
-        entry(3, both, sampler),
-        entry(4, ShaderStages::FRAGMENT, sampler),
+        entry(0, both, uniform()),
+        entry(1, both, uniform()),
+        entry(2, ShaderStages::VERTEX, storage(true)),
+        entry(3, both, texture(TextureViewDimension::D2)),
+        entry(4, both, sampler),
+        entry(5, both, sampler),
+        entry(6, ShaderStages::FRAGMENT, sampler),
+        entry(7, both, texture(TextureViewDimension::D2Array)),
+        entry(8, ShaderStages::FRAGMENT, texture(TextureViewDimension::D2Array)),
     ]
 }
 
-fn coat_entries() -> [BindGroupLayoutEntry; 6] {
-    let storage =
-        BindingType::Buffer { ty: BufferBindingType::Storage { read_only: true }, has_dynamic_offset: false, min_binding_size: None };
+fn coat_entries() -> [BindGroupLayoutEntry; 5] {
+    let vertex = ShaderStages::VERTEX;
     [
-        entry(0, ShaderStages::VERTEX, storage),
-        entry(1, ShaderStages::VERTEX, storage),
-        entry(2, ShaderStages::VERTEX, storage),
-        entry(3, ShaderStages::VERTEX, storage),
-        entry(4, ShaderStages::VERTEX_FRAGMENT, texture(TextureViewDimension::D2Array)),
-        entry(5, ShaderStages::FRAGMENT, texture(TextureViewDimension::D2)),
+        entry(0, vertex, storage(true)),
+        entry(1, vertex, storage(true)),
+        entry(2, vertex, storage(true)),
+        entry(3, vertex, storage(true)),
+        entry(4, ShaderStages::FRAGMENT, texture(TextureViewDimension::D2)),
     ]
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_a_view_does_not_ask_for_is_not_compiled() {
+        let plain = Variant::new(&Options::default(), CoatTraits::default(), false);
+        assert_eq!(plain.flags(), Vec::<&str>::new());
+        let options = Options { lighting: LightingMode::Formula, ..Options::default() };
+        let all = CoatTraits { bent: true, cut: true, direction_map: true };
+        assert_eq!(Variant::new(&options, all, true).flags(), ["PIXEL", "MAP", "BENT", "CUT", "SHARED", "SPLIT", "AXES"]);
+        let unmapped = Options { direction_map: false, ..options };
+        assert_eq!(Variant::new(&unmapped, all, false).flags(), ["PIXEL", "BENT", "CUT", "SPLIT"]);
+    }
 }

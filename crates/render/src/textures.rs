@@ -1,6 +1,8 @@
 //! Hair textures on the device.
 
-use pelage_coat::{FinTexture, MipImage, ShellTexture};
+use std::sync::Arc;
+
+use pelage_coat::{Encoding, FinTexture, MipImage, ShellLayer, ShellTexture};
 use pelage_lighting::LightingTable;
 use wgpu::{
     Device, Extent3d, Origin3d, Queue, TexelCopyBufferLayout, TexelCopyTextureInfo, Texture, TextureAspect, TextureDescriptor,
@@ -12,34 +14,52 @@ use crate::pack::half;
 /// The shell stack and the fin on the device; any number of coats may share them.
 #[derive(Clone, Debug)]
 pub struct GpuTextures {
-    pub(crate) shells: TextureView,
+    pub(crate) shells: Texture,
+    pub(crate) shell_view: TextureView,
+    pub(crate) directions: TextureView,
     pub(crate) fin: TextureView,
-    pub(crate) layers: u32,
+    pub(crate) levels: Arc<[Vec<ShellLayer>]>,
     pub(crate) has_fin: bool,
+    pub(crate) has_directions: bool,
 }
 
 impl GpuTextures {
     /// Uploads textures that have passed [`pelage_coat::Coat::check`] and the device's limits.
     pub(crate) fn new(device: &Device, queue: &Queue, shells: &ShellTexture, fin: Option<&FinTexture>) -> Self {
-        // Where there is no fin its place in the bind group is filled by a texel that nothing reads.
+        // Where there is no fin or no map, its place in the bind group is filled by a texel that nothing reads.
         let none = [MipImage { width: 1, height: 1, texels: vec![0; 4] }];
-        let fin_mips = fin.map_or(&none[..], |fin| &fin.mips);
+        let format = match shells.encoding {
+            Encoding::Rgba8 => TextureFormat::Rgba8UnormSrgb,
+            Encoding::Bc3 => TextureFormat::Bc3RgbaUnormSrgb,
+        };
+        let stack = |label, format, layers, mips: &[MipImage]| upload(device, queue, label, format, layers, mips);
+        let texture = stack("shells", format, shells.images, &shells.mips);
+        let (count, map) = shells.directions.as_ref().map_or((1, &none[..]), |map| (shells.images, map));
+        let directions = stack("directions", TextureFormat::Rgba8Unorm, count, map);
+        let fin_texture = stack("fin", TextureFormat::Rgba8UnormSrgb, 1, fin.map_or(&none[..], |fin| &fin.mips));
         Self {
-            shells: upload(device, queue, "shells", shells.layers(), &shells.mips, TextureViewDimension::D2Array),
-            fin: upload(device, queue, "fin", 1, fin_mips, TextureViewDimension::D2),
-            layers: shells.layers(),
+            shell_view: view(&texture, TextureViewDimension::D2Array),
+            shells: texture,
+            directions: view(&directions, TextureViewDimension::D2Array),
+            fin: view(&fin_texture, TextureViewDimension::D2),
+            levels: shells.levels.clone().into(),
             has_fin: fin.is_some(),
+            has_directions: shells.directions.is_some(),
         }
     }
 }
 
-fn upload(device: &Device, queue: &Queue, label: &str, layers: u32, mips: &[MipImage], dimension: TextureViewDimension) -> TextureView {
+fn upload(device: &Device, queue: &Queue, label: &str, format: TextureFormat, layers: u32, mips: &[MipImage]) -> Texture {
     let size = Extent3d { width: mips[0].width, height: mips[0].height, depth_or_array_layers: layers };
-    let texture = create(device, label, size, mips.len() as u32, TextureFormat::Rgba8UnormSrgb);
+    let texture = create(device, label, size, mips.len() as u32, format);
     for (level, mip) in mips.iter().enumerate() {
         let size = Extent3d { width: mip.width, height: mip.height, depth_or_array_layers: layers };
-        write(queue, &texture, level as u32, size, 4, &mip.texels);
+        write(queue, &texture, level as u32, size, &mip.texels);
     }
+    texture
+}
+
+fn view(texture: &Texture, dimension: TextureViewDimension) -> TextureView {
     texture.create_view(&TextureViewDescriptor { dimension: Some(dimension), ..TextureViewDescriptor::default() })
 }
 
@@ -57,7 +77,7 @@ pub(crate) fn no_table(device: &Device, queue: &Queue) -> TextureView {
 fn upload_factors(device: &Device, queue: &Queue, side: u32, texels: &[[u16; 2]]) -> TextureView {
     let size = Extent3d { width: side, height: side, depth_or_array_layers: 1 };
     let texture = create(device, "lighting table", size, 1, TextureFormat::Rg16Float);
-    write(queue, &texture, 0, size, 4, bytemuck::cast_slice(texels));
+    write(queue, &texture, 0, size, bytemuck::cast_slice(texels));
     texture.create_view(&TextureViewDescriptor::default())
 }
 
@@ -74,11 +94,15 @@ fn create(device: &Device, label: &str, size: Extent3d, levels: u32, format: Tex
     })
 }
 
-fn write(queue: &Queue, texture: &Texture, mip_level: u32, size: Extent3d, texel_bytes: u32, bytes: &[u8]) {
+/// Writes a whole level. Of compressed formats the copy goes in whole blocks, past the image's edge if need be.
+fn write(queue: &Queue, texture: &Texture, mip_level: u32, size: Extent3d, bytes: &[u8]) {
+    let (block_width, block_height) = texture.format().block_dimensions();
+    let block_bytes = texture.format().block_copy_size(None).unwrap_or(4);
+    let (across, down) = (size.width.div_ceil(block_width), size.height.div_ceil(block_height));
     queue.write_texture(
         TexelCopyTextureInfo { texture, mip_level, origin: Origin3d::ZERO, aspect: TextureAspect::All },
         bytes,
-        TexelCopyBufferLayout { offset: 0, bytes_per_row: Some(texel_bytes * size.width), rows_per_image: Some(size.height) },
-        size,
+        TexelCopyBufferLayout { offset: 0, bytes_per_row: Some(block_bytes * across), rows_per_image: Some(down) },
+        Extent3d { width: across * block_width, height: down * block_height, ..size },
     );
 }

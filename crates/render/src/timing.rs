@@ -1,8 +1,8 @@
 //! How long frames take.
 
 use wgpu::{
-    Buffer, BufferDescriptor, BufferUsages, CommandEncoder, Device, Features, QuerySet, QuerySetDescriptor, QueryType, Queue,
-    RenderPassTimestampWrites,
+    Buffer, BufferDescriptor, BufferUsages, CommandEncoder, ComputePassTimestampWrites, Device, Features, QuerySet, QuerySetDescriptor,
+    QueryType, Queue, RenderPassTimestampWrites,
 };
 
 use crate::{RenderError, readback};
@@ -10,6 +10,8 @@ use crate::{RenderError, readback};
 /// Milliseconds of each pass on the graphics device.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct PassTimes {
+    /// What is worked out ahead: which fins, which faces, blended levels of detail.
+    pub compute: f64,
     /// Background and skin.
     pub surface: f64,
     /// Fins.
@@ -49,6 +51,7 @@ impl FrameTimes {
             ms_median,
             ms_max: frames.last().copied().unwrap_or(0.0),
             passes: (!passes.is_empty()).then(|| PassTimes {
+                compute: of_passes(|p| p.compute),
                 surface: of_passes(|p| p.surface),
                 fins: of_passes(|p| p.fins),
                 shells: of_passes(|p| p.shells),
@@ -57,7 +60,7 @@ impl FrameTimes {
     }
 }
 
-/// Six timestamps: before and after each pass.
+/// Timestamps before and after each pass.
 #[derive(Debug)]
 pub(crate) struct PassTimer {
     queries: QuerySet,
@@ -65,7 +68,7 @@ pub(crate) struct PassTimer {
     readable: Buffer,
 }
 
-const STAMPS: u32 = 6;
+const STAMPS: u32 = 8;
 const BYTES: u64 = 8 * STAMPS as u64;
 
 impl PassTimer {
@@ -83,12 +86,17 @@ impl PassTimer {
         })
     }
 
-    /// The two stamps of pass 0 to 2.
+    /// The two stamps of the compute pass.
+    pub(crate) fn compute_writes(&self) -> ComputePassTimestampWrites<'_> {
+        ComputePassTimestampWrites { query_set: &self.queries, beginning_of_pass_write_index: Some(0), end_of_pass_write_index: Some(1) }
+    }
+
+    /// The two stamps of drawing pass 0 to 2.
     pub(crate) fn writes(&self, pass: u32) -> RenderPassTimestampWrites<'_> {
         RenderPassTimestampWrites {
             query_set: &self.queries,
-            beginning_of_pass_write_index: Some(2 * pass),
-            end_of_pass_write_index: Some(2 * pass + 1),
+            beginning_of_pass_write_index: Some(2 * pass + 2),
+            end_of_pass_write_index: Some(2 * pass + 3),
         }
     }
 
@@ -104,7 +112,7 @@ impl PassTimer {
         readback::read(device, &self.readable, |bytes| {
             let stamps: Vec<u64> = bytemuck::pod_collect_to_vec(bytes);
             let ms = |pass: usize| stamps[2 * pass + 1].saturating_sub(stamps[2 * pass]) as f64 * period;
-            PassTimes { surface: ms(0), fins: ms(1), shells: ms(2) }
+            PassTimes { compute: ms(0), surface: ms(1), fins: ms(2), shells: ms(3) }
         })
     }
 }
@@ -115,7 +123,7 @@ mod tests {
 
     #[test]
     fn medians_and_extremes() {
-        let pass = |shells| PassTimes { surface: 1.0, fins: 2.0, shells };
+        let pass = |shells| PassTimes { compute: 0.5, surface: 1.0, fins: 2.0, shells };
         let times = FrameTimes::of(vec![3.0, 1.0, 9.0], &[pass(5.0), pass(4.0), pass(8.0)]);
         assert_eq!((times.frames, times.ms_min, times.ms_median, times.ms_max), (3, 1.0, 3.0, 9.0));
         assert_eq!(times.passes, Some(pass(5.0)));

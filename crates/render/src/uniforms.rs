@@ -4,11 +4,15 @@ use bytemuck::{Pod, Zeroable};
 use glam::{DVec3, Vec3};
 use pelage_lighting::{Axis, DIFFUSIVITY};
 
-use crate::{LightingMode, RenderError, ShellDepth, View, Viewpoint};
+use crate::schedule::Schedule;
+use crate::{FinRule, LightingMode, RenderError, ShellDepth, View, Viewpoint};
 
 /// Fur comes in over this length, in diameters: one spacing of the paper's layers. Below it, opacity and shadow fade, so that bare skin and fur
 /// meet without a step.
 pub(crate) const GROWTH_LENGTH: f32 = 1e-3;
+
+/// Most directional lights of a view.
+pub(crate) const MOST_LIGHTS: usize = 4;
 
 #[repr(C)]
 #[derive(Clone, Copy, Debug, Pod, Zeroable)]
@@ -16,8 +20,8 @@ pub(crate) struct FrameUniform {
     clip_from_coat: [[f32; 4]; 4],
     eye: [f32; 4],
     toward_eye: [f32; 4],
-    light: [f32; 4],
-    light_colour: [f32; 4],
+    /// Direction and colour.
+    lights: [[[f32; 4]; 2]; MOST_LIGHTS],
     irradiance: [[f32; 4]; 9],
     ambient: [f32; 4],
     diffuse: [f32; 4],
@@ -27,26 +31,25 @@ pub(crate) struct FrameUniform {
     fur: [f32; 4],
     screen: [f32; 4],
     table: [f32; 4],
+    fins: [f32; 4],
 }
 
 impl FrameUniform {
-    /// Packs a view of a stack of `layers`.
-    pub(crate) fn new(view: &View, viewpoint: &Viewpoint, layers: u32) -> Result<Self, RenderError> {
+    /// Packs a view; the schedule says which shells there are.
+    pub(crate) fn new(view: &View, viewpoint: &Viewpoint, schedule: &Schedule) -> Result<Self, RenderError> {
         let (hair, shadow, facing) = (&view.shading.hair, &view.shading.self_shadow, &view.shading.facing);
+        let (options, lights) = (&view.options, &view.lights.directional);
+        if lights.len() > MOST_LIGHTS {
+            return Err(RenderError::Lights { found: lights.len(), limit: MOST_LIGHTS });
+        }
         let density = (shadow.density.max(0.0) as f32).min(1e30);
-        let threshold = match view.options.shell_depth {
-            ShellDepth::Written { threshold } => threshold,
-            ShellDepth::Tested => 0.0,
-        };
-        let key = view.lights.directional.first();
         let uniform = Self {
             clip_from_coat: viewpoint.clip_from_coat.to_cols_array_2d(),
-            eye: four(viewpoint.eye, 0.0),
+            eye: four(viewpoint.eye, schedule.shells.len() as f32),
             toward_eye: four(viewpoint.toward_eye, 0.0),
-            light: four(key.map_or(Vec3::Y, |light| light.direction), 0.0),
-            light_colour: four(key.map_or(Vec3::ZERO, |light| light.colour), 0.0),
+            lights: std::array::from_fn(|i| lights.get(i).map_or([[0.0; 4]; 2], |l| [four(l.direction, 0.0), four(l.colour, 0.0)])),
             irradiance: view.lights.ambient.0.map(|term| four(term, 0.0)),
-            ambient: colour(hair.ambient, 0.0),
+            ambient: four(hair.ambient.as_vec3(), lights.len() as f32),
             diffuse: colour(hair.diffuse, hair.diffuse_power),
             specular: colour(hair.specular, hair.specular_power),
             shadow: [density, shadow.minimum.clamp(0.0, 1.0) as f32, shadow.grazing.clamp(1e-6, 1.0) as f32, density * DIFFUSIVITY as f32],
@@ -54,11 +57,17 @@ impl FrameUniform {
                 facing.strength.clamp(0.0, 1.0) as f32,
                 facing.dark_below as f32,
                 (1.0 / (facing.full_above - facing.dark_below).max(1e-9)) as f32,
-                0.0,
+                options.hair_shadow.clamp(0.0, 1.0),
             ],
-            fur: [not_negative(view.options.length_scale), 1.0 / layers.saturating_sub(1).max(1) as f32, threshold, 1.0 / GROWTH_LENGTH],
-            screen: [0.5 * viewpoint.pixels.x, 0.5 * viewpoint.pixels.y, view.options.step_blur.clamp(0.0, 16.0), 0.0],
-            table: table(view.options.lighting),
+            fur: [not_negative(options.length_scale), schedule.layers_per_height(), threshold(options.shell_depth), 1.0 / GROWTH_LENGTH],
+            screen: [
+                0.5 * viewpoint.pixels.x,
+                0.5 * viewpoint.pixels.y,
+                options.step_blur.clamp(0.0, 16.0),
+                options.march.steps.max(1) as f32,
+            ],
+            table: table(options.lighting),
+            fins: fins(view),
         };
         uniform.check()?;
         Ok(uniform)
@@ -66,15 +75,45 @@ impl FrameUniform {
 
     fn check(&self) -> Result<(), RenderError> {
         let finite = |values: &[[f32; 4]]| values.iter().flatten().all(|v| v.is_finite());
-        let parts: [(&'static str, bool); 4] = [
+        let parts: [(&'static str, bool); 5] = [
             ("the camera", finite(&self.clip_from_coat) && finite(&[self.eye, self.toward_eye])),
-            ("the light", finite(&[self.light, self.light_colour]) && finite(&self.irradiance)),
+            ("the light", finite(self.lights.as_flattened()) && finite(&self.irradiance)),
             ("the shading", finite(&[self.ambient, self.diffuse, self.specular, self.shadow, self.facing])),
             ("the length scale, the alpha threshold or the step blur", finite(&[self.fur, self.screen])),
+            ("the fins' threshold", finite(&[self.fins])),
         ];
         parts.iter().find(|(_, fine)| !fine).map_or(Ok(()), |&(what, _)| Err(RenderError::View { what }))
     }
 }
+
+/// Opacity under which a pixel is left out.
+fn threshold(depth: ShellDepth) -> f32 {
+    match depth {
+        // Zero would divide by itself where opacity becomes coverage.
+        ShellDepth::Coverage { threshold } => {
+            if threshold < 1e-4 {
+                1e-4
+            } else {
+                threshold
+            }
+        }
+        ShellDepth::Written { threshold } => threshold,
+        ShellDepth::Tested => 0.0,
+    }
+}
+
+/// Rule, threshold, segments, opacity.
+fn fins(view: &View) -> [f32; 4] {
+    let (rule, threshold) = match view.options.fin_rule {
+        FinRule::Faded => (0.0, 0.0),
+        FinRule::Silhouette { threshold } => (1.0, threshold),
+        FinRule::All => (2.0, 0.0),
+    };
+    [rule, threshold, view.options.fin_segments.clamp(1, MOST_SEGMENTS) as f32, 1.0]
+}
+
+/// Most quads of a fin.
+pub(crate) const MOST_SEGMENTS: u32 = 16;
 
 /// Unlike `max`, NaN stays NaN and is refused.
 fn not_negative(x: f32) -> f32 {

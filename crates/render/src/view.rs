@@ -1,6 +1,6 @@
 //! From where, in what light, and which parts of the coat.
 
-use glam::{Mat4, Vec2, Vec3};
+use glam::{Mat4, Vec2, Vec3, Vec4};
 use pelage_coat::{Camera, Lights};
 use pelage_lighting::{Shading, TableLayout};
 
@@ -43,11 +43,22 @@ impl Viewpoint {
         let pixels = Vec2::new(width as f32, height as f32);
         Self { clip_from_coat: camera.view_projection(pixels.x / pixels.y), eye: camera.eye, toward_eye: camera.toward_eye(), pixels }
     }
+
+    /// How many pixels high a length, in diameters, is at the coat's centre, seen squarely.
+    pub fn pixels_of(&self, length: f32) -> f32 {
+        let centre = self.clip_from_coat * Vec4::W;
+        let rows = [self.clip_from_coat.row(0).truncate(), self.clip_from_coat.row(1).truncate()];
+        let scale = (rows[0].length() * self.pixels.x).max(rows[1].length() * self.pixels.y);
+        // At the eye or behind it everything is as near as can be.
+        0.5 * length * scale / centre.w.max(1e-6)
+    }
 }
 
-/// Where the hair lighting is evaluated; the formula is the same.
+/// Where the hair lighting is evaluated for the first light; the formula is the same. Further lights are evaluated at vertices.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum LightingMode {
+    /// Once for each patch and shell, at the vertex in its middle: the patches show.
+    PerPatch,
     /// At the shells' vertices, interpolated over faces: cheapest; highlights smear over large faces.
     #[default]
     PerVertex,
@@ -67,6 +78,12 @@ pub enum ShellDepth {
     },
     /// Depth only tested, as in NVIDIA's sample: fur of a part behind may show through the fur of a part before it.
     Tested,
+    /// No blending: opacity is the share of a pixel's samples that are drawn (alpha to coverage), with depth. With one sample a pixel it is all or
+    /// nothing.
+    Coverage {
+        /// Opacity under which a pixel counts as empty and is left out; 0 to 1.
+        threshold: f32,
+    },
 }
 
 impl Default for ShellDepth {
@@ -93,15 +110,55 @@ impl Default for ShellRange {
 }
 
 impl ShellRange {
-    /// The layers of a stack of `layers` that are drawn, as at most two runs.
-    pub fn runs(&self, layers: u32) -> [std::ops::Range<u32>; 2] {
-        let (first, end) = (self.first.max(1), self.end.min(layers));
-        let end = end.max(first);
-        match self.left_out {
-            Some(gap) if (first..end).contains(&gap) => [first..gap, gap + 1..end],
-            _ => [first..end, end..end],
-        }
+    /// Whether a layer of the finest level is drawn. The skin never is: the surface pass shows it.
+    pub fn contains(&self, layer: u32) -> bool {
+        layer >= self.first.max(1) && layer < self.end && self.left_out != Some(layer)
     }
+}
+
+/// At which level of detail shells are drawn (L16).
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Detail {
+    /// As coarse as leaves shells this many pixels apart, seen from the side; 0: the finest always.
+    Spacing(f32),
+    /// This level: 0 the finest, each the half of the one before; a fraction blends.
+    Level(f32),
+}
+
+impl Default for Detail {
+    fn default() -> Self {
+        Self::Spacing(0.25)
+    }
+}
+
+/// How far a shell's pixel looks into the fur (L26, N9).
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub struct March {
+    /// How many layers each drawn shell shows, where the ray of sight meets them; 1: its own, as the paper has it.
+    pub layers: u32,
+    /// Samples of the volume for each layer; 1: the layers themselves, 2 and more: what lies between them, too.
+    pub steps: u32,
+}
+
+impl Default for March {
+    fn default() -> Self {
+        Self { layers: 1, steps: 1 }
+    }
+}
+
+/// Which edges carry a fin.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub enum FinRule {
+    /// Those near the silhouette, faded in (the paper's).
+    #[default]
+    Faded,
+    /// Silhouettes' edges, and those of which the eye direction is nearly along a face (NVIDIA's): whole or not at all.
+    Silhouette {
+        /// The cosine between eye direction and a face's normal below which an edge counts; 0 to 1.
+        threshold: f32,
+    },
+    /// All, whole: what the paper shows to motivate its own (figure 4e).
+    All,
 }
 
 /// Which parts of a coat are drawn, and how.
@@ -111,10 +168,20 @@ pub struct Options {
     pub surface: bool,
     /// The fins.
     pub fins: bool,
+    /// Which of the fins.
+    pub fin_rule: FinRule,
+    /// Into how many quads a fin is cut on its way up, so that it bends with the hair (K11); 1 to 16. Vertices are linear in it.
+    pub fin_segments: u32,
     /// The shells.
     pub shells: bool,
     /// Which of the shells.
     pub layers: ShellRange,
+    /// At which level of detail.
+    pub detail: Detail,
+    /// How far a shell's pixel looks into the fur.
+    pub march: March,
+    /// Whether faces that cannot be seen are left out (K18). No picture changes by it.
+    pub culling: bool,
     /// Multiplies the length of all fur; 0 and up, 0 is bald.
     pub length_scale: f32,
     /// What shells do to the depth buffer.
@@ -124,6 +191,10 @@ pub struct Options {
     pub step_blur: f32,
     /// Where lighting is evaluated.
     pub lighting: LightingMode,
+    /// Whether lighting at pixels takes the hair's direction from the direction map, where the coat has one (L15); else it is interpolated.
+    pub direction_map: bool,
+    /// How strongly a hair shades the hair under it on the way to the first light (K10), 0 (off) to 1. Costs a second fetch.
+    pub hair_shadow: f32,
     /// How many times finer than its short side a slanted footprint is filtered; 1 (off) to 16. Costs up to as many fetches;
     /// with 4, lavapipe took 3.4 times as long for a frame of one sample a pixel, and with four samples 70 times.
     pub anisotropy: u16,
@@ -134,12 +205,19 @@ impl Default for Options {
         Self {
             surface: true,
             fins: true,
+            fin_rule: FinRule::default(),
+            fin_segments: 1,
             shells: true,
             layers: ShellRange::default(),
+            detail: Detail::default(),
+            march: March::default(),
+            culling: true,
             length_scale: 1.0,
             shell_depth: ShellDepth::default(),
             step_blur: 1.5,
             lighting: LightingMode::default(),
+            direction_map: true,
+            hair_shadow: 0.0,
             anisotropy: 1,
         }
     }
@@ -150,13 +228,25 @@ mod tests {
     use super::*;
 
     #[test]
-    fn runs_leave_out_the_skin_and_the_gap() {
+    fn ranges_leave_out_the_skin_and_the_gap() {
+        let drawn = |range: ShellRange, layers: u32| (0..layers).filter(|&k| range.contains(k)).collect::<Vec<u32>>();
         let all = ShellRange::default();
-        assert_eq!(all.runs(16), [1..16, 16..16]);
-        assert_eq!(ShellRange { left_out: Some(5), ..all }.runs(16), [1..5, 6..16]);
-        assert_eq!(ShellRange { first: 0, end: 4, left_out: Some(9) }.runs(16), [1..4, 4..4]);
-        assert_eq!(ShellRange { first: 9, ..all }.runs(4), [9..9, 9..9]);
-        assert_eq!(all.runs(1), [1..1, 1..1]);
-        assert_eq!(all.runs(0), [1..1, 1..1]);
+        assert_eq!(drawn(all, 5), [1, 2, 3, 4]);
+        assert_eq!(drawn(ShellRange { left_out: Some(2), ..all }, 5), [1, 3, 4]);
+        assert_eq!(drawn(ShellRange { first: 0, end: 3, left_out: Some(9) }, 5), [1, 2]);
+        assert_eq!(drawn(ShellRange { first: 9, ..all }, 4), []);
+        assert_eq!(drawn(all, 1), []);
+    }
+
+    #[test]
+    fn lengths_in_pixels_shrink_with_distance() {
+        let seen = |distance: f32| {
+            let eye = distance * Vec3::Z;
+            let camera = Camera { eye, target: eye - Vec3::Z, up: Vec3::Y, field_of_view: 1.0, near: 0.01 };
+            Viewpoint::of(&camera, (640, 480)).pixels_of(0.1)
+        };
+        assert!((seen(2.0) - 240.0 * 0.1 / (2.0 * 0.5_f32.tan())).abs() < 1e-3);
+        assert!((seen(4.0) - 0.5 * seen(2.0)).abs() < 1e-3);
+        assert!(seen(0.0).is_finite());
     }
 }

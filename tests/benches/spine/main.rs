@@ -15,11 +15,13 @@ mod stage;
 
 use std::time::Instant;
 
-use pelage_coat::Coat;
+use pelage_coat::{Background, Coat};
 use pelage_lighting::TableLayout;
-use pelage_render::{GpuCoat, Headless, LightingMode, Options, PreparedView, Renderer, ShellDepth, Target, View, Viewpoint};
+use pelage_render::{
+    FinRule, GpuCoat, Headless, LightingMode, Offscreen, Options, PreparedView, Renderer, ShellDepth, Target, View, Viewpoint,
+};
 use pelage_tests::Scene;
-use wgpu::{RenderPass, TextureFormat};
+use wgpu::{CommandEncoder, RenderPass, TextureFormat};
 
 use floor::{Floor, FullScreen};
 use stage::{SIZE, Stage};
@@ -41,10 +43,10 @@ fn main() {
     let headless = pelage_tests::gpu().expect("an adapter").headless();
     println!("\n{} at {} × {}", headless.summary().name, SIZE.0, SIZE.1);
     let coat = scene.coat().expect("a coat");
-    let (view, _) = scene.view(&coat).expect("a view");
+    let (view, background) = scene.view(&coat).expect("a view");
     println!("{} faces, {} edges, {} layers", coat.patches.faces.len(), coat.edges.vertices.len(), coat.shells.layers());
     for samples in [1, 4] {
-        bench(headless, &coat, &view, samples, rounds);
+        bench(headless, &coat, &view, &background, samples, rounds);
     }
     headless.check().expect("no validation error");
 }
@@ -52,12 +54,13 @@ fn main() {
 /// One way of drawing, its name and its times.
 struct Contender<'a> {
     name: String,
+    compute: Box<dyn Fn(&mut CommandEncoder) + 'a>,
     draw: Box<dyn Fn(&mut RenderPass<'_>) + 'a>,
     times: Vec<f64>,
     fragments: u64,
 }
 
-fn bench(headless: &Headless, coat: &Coat, view: &View, samples: u32, rounds: usize) {
+fn bench(headless: &Headless, coat: &Coat, view: &View, background: &Background, samples: u32, rounds: usize) {
     let (device, queue) = (headless.device(), headless.queue());
     let target = Target::new(TextureFormat::Rgba8UnormSrgb, samples);
     let renderer = Renderer::new(device, queue, target);
@@ -70,6 +73,8 @@ fn bench(headless: &Headless, coat: &Coat, view: &View, samples: u32, rounds: us
         ("lit at pixels, 32² cosine table", Options { lighting: LightingMode::Table(TableLayout::PAPER), ..defaults }),
         ("depth only tested", Options { shell_depth: ShellDepth::Tested, ..defaults }),
         ("without fins", Options { fins: false, ..defaults }),
+        ("everything submitted", Options { culling: false, ..defaults }),
+        ("everything, and all fins", Options { culling: false, fin_rule: FinRule::All, ..defaults }),
         ("without step blur", Options { step_blur: 0.0, ..defaults }),
         ("anisotropy 4", Options { anisotropy: 4, ..defaults }),
     ];
@@ -82,33 +87,40 @@ fn bench(headless: &Headless, coat: &Coat, view: &View, samples: u32, rounds: us
         .map(|(written, name)| (name, Floor::new(device, queue, target, coat, view, written)));
 
     // As many rectangles as the default draws fragments.
-    let fragments = stage.fragments(headless, &|pass| renderer.draw(pass, &gpu_coat, &prepared[0].1));
+    let default_view = &prepared[0].1;
+    let fragments =
+        stage.fragments(headless, &|encoder| renderer.compute(encoder, default_view), &|pass| renderer.draw(pass, &gpu_coat, default_view));
     let count = (fragments as f64 / f64::from(SIZE.0 * SIZE.1 * samples)).round().max(1.0) as u32;
     let full = FullScreen::new(device, queue, target, coat, count);
     let mut contenders: Vec<Contender<'_>> = Vec::new();
     for (name, view) in &prepared {
-        contenders.push(contender(name, |pass| renderer.draw(pass, &gpu_coat, view)));
+        let compute = |encoder: &mut CommandEncoder| renderer.compute(encoder, view);
+        contenders.push(contender(name, compute, |pass| renderer.draw(pass, &gpu_coat, view)));
     }
     for (name, floor) in &floors {
-        contenders.push(contender(name, |pass| floor.draw(pass)));
+        contenders.push(contender(name, |_| (), |pass| floor.draw(pass)));
     }
-    contenders.push(contender(&format!("floor: {count} full screens"), |pass| full.draw(pass)));
+    contenders.push(contender(&format!("floor: {count} full screens"), |_| (), |pass| full.draw(pass)));
     for contender in &mut contenders {
-        contender.fragments = stage.fragments(headless, &contender.draw);
+        contender.fragments = stage.fragments(headless, &contender.compute, &contender.draw);
     }
 
     // In turn, so that a busy machine is unfair to all alike.
     for round in 0..rounds + 2 {
         for contender in &mut contenders {
             let start = Instant::now();
-            stage.frame(headless, &contender.draw);
+            stage.frame(headless, &contender.compute, &contender.draw);
             if round >= 2 {
                 contender.times.push(start.elapsed().as_secs_f64() * 1e3);
             }
         }
     }
-    let fins = prepared[0].1.fin_count(&gpu_coat);
-    println!("\n{samples} samples, {rounds} rounds, {fins} fins, {} triangles", prepared[0].1.triangle_count(&gpu_coat));
+    let offscreen = Offscreen::new(headless, SIZE, samples).expect("a target");
+    let drawn = offscreen.render(&gpu_coat, view, background).expect("a picture").frame;
+    println!(
+        "\n{samples} samples, {rounds} rounds, {} fins of {} edges, {} of {} furred faces in {} of {} patches, {} triangles",
+        drawn.fins_drawn, drawn.fins_considered, drawn.faces_drawn, drawn.faces_furred, drawn.patches_drawn, drawn.patches, drawn.triangles
+    );
     println!("{:36} {:>9} {:>9} {:>11} {:>9} {:>14}", "", "min ms", "median", "fragments", "ns each", "of same draw");
     let same = contenders.iter().position(|c| c.name == floors[0].0).expect("the floor");
     let floor_times = contenders[same].times.clone();
@@ -126,8 +138,8 @@ fn prepare(headless: &Headless, renderer: &Renderer, coat: &GpuCoat, view: &View
     renderer.prepare(headless.device(), headless.queue(), coat, view, &viewpoint).expect("a finite view")
 }
 
-fn contender<'a>(name: &str, draw: impl Fn(&mut RenderPass<'_>) + 'a) -> Contender<'a> {
-    Contender { name: name.to_owned(), draw: Box::new(draw), times: Vec::new(), fragments: 0 }
+fn contender<'a>(name: &str, compute: impl Fn(&mut CommandEncoder) + 'a, draw: impl Fn(&mut RenderPass<'_>) + 'a) -> Contender<'a> {
+    Contender { name: name.to_owned(), compute: Box::new(compute), draw: Box::new(draw), times: Vec::new(), fragments: 0 }
 }
 
 fn median(times: &mut [f64]) -> f64 {

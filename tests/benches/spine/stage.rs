@@ -62,20 +62,22 @@ impl Stage {
     }
 
     /// Draws a frame to its end.
-    pub fn frame(&self, headless: &Headless, draw: &dyn Fn(&mut RenderPass<'_>)) {
+    pub fn frame(&self, headless: &Headless, compute: &dyn Fn(&mut CommandEncoder), draw: &dyn Fn(&mut RenderPass<'_>)) {
         let mut encoder = headless.device().create_command_encoder(&CommandEncoderDescriptor::default());
+        compute(&mut encoder);
         draw(&mut self.pass(&mut encoder, None));
         headless.queue().submit([encoder.finish()]);
         headless.device().poll(PollType::wait_indefinitely()).expect("the device answers");
     }
 
     /// How many samples pass the tests.
-    pub fn fragments(&self, headless: &Headless, draw: &dyn Fn(&mut RenderPass<'_>)) -> u64 {
+    pub fn fragments(&self, headless: &Headless, compute: &dyn Fn(&mut CommandEncoder), draw: &dyn Fn(&mut RenderPass<'_>)) -> u64 {
         let device = headless.device();
         let buffer = |usage| device.create_buffer(&BufferDescriptor { label: None, size: 8, usage, mapped_at_creation: false });
         let resolved = buffer(BufferUsages::QUERY_RESOLVE | BufferUsages::COPY_SRC);
         let readable = buffer(BufferUsages::MAP_READ | BufferUsages::COPY_DST);
         let mut encoder = device.create_command_encoder(&CommandEncoderDescriptor::default());
+        compute(&mut encoder);
         {
             let mut pass = self.pass(&mut encoder, Some(&self.occlusion));
             pass.begin_occlusion_query(0);

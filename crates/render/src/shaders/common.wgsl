@@ -1,41 +1,47 @@
 // What every pass shares: the frame, the skin's vertices, packing. Mirrors uniforms.rs and pack.rs.
 
+struct Light {
+    direction: vec4f,  // L; w unused
+    colour: vec4f,     // w unused
+};
+
 struct Frame {
     clip_from_coat: mat4x4f,
-    eye: vec4f,           // the eye; w unused
+    eye: vec4f,           // the eye; how many shells there are
     toward_eye: vec4f,    // the viewer at infinity; w unused
-    light: vec4f,         // L; w unused
-    light_colour: vec4f,
+    lights: array<Light, 4>,
     irradiance: array<vec4f, 9>,  // coefficients of 1, y, z, x, xy, yz, 3z² − 1, xz, x² − y² of the normal
-    ambient: vec4f,       // Ka
+    ambient: vec4f,       // Ka; how many lights
     diffuse: vec4f,       // Kd, Pd / 2
     specular: vec4f,      // Ks, Ps / 2
     shadow: vec4f,        // density, minimum, grazing, density seen by the hemisphere
-    facing: vec4f,        // strength, dark_below, 1 / (full_above − dark_below)
-    fur: vec4f,           // length scale, 1 / (layers − 1), alpha threshold, growth per diameter of length
-    screen: vec4f,        // half the width and height in pixels, most levels of blur between layers
+    facing: vec4f,        // strength, dark_below, 1 / (full_above − dark_below); how strong shadows between hairs are
+    fur: vec4f,           // length scale, layers per unit of height, alpha threshold, growth per diameter of length
+    screen: vec4f,        // half the width and height in pixels, most levels of blur between layers; steps of a march for each layer
     table: vec4f,         // (size − 1) / size, 0.5 / size, u by angle, v by angle
+    fins: vec4f,          // rule, threshold, segments, opacity
 };
 
-@group(0) @binding(0) var<uniform> frame: Frame;
-@group(0) @binding(1) var factor_table: texture_2d<f32>;
-@group(0) @binding(2) var table_sampler: sampler;
-@group(0) @binding(3) var tile_sampler: sampler;
-@group(0) @binding(4) var fin_sampler: sampler;
-
-@group(1) @binding(0) var<storage, read> skin: array<vec4u>;     // position, normal
-@group(1) @binding(1) var<storage, read> fur: array<vec4u>;      // offset, hair direction
-@group(1) @binding(2) var<storage, read> colours: array<vec2u>;  // half floats
-@group(1) @binding(3) var<storage, read> edges: array<vec4u>;    // three for each edge
-@group(1) @binding(4) var shell_layers: texture_2d_array<f32>;
-@group(1) @binding(5) var fin_texture: texture_2d<f32>;
+// A shell: mirrors schedule.rs.
+struct Shell {
+    height: f32,
+    light_height: f32,
+    image: u32,
+    direction: u32,  // image of the direction map
+    opacity: f32,
+    layers: f32,     // α becomes 1 − (1 − α)^layers
+    step: f32,       // to the next shell, in heights
+    unused: f32,
+};
 
 struct Vertex {
     position: vec3f,
     normal: vec3f,
     offset: vec3f,     // scaled
+    bend: vec3f,       // scaled
     direction: vec3f,
     colour: vec3f,
+    end: f32,
 };
 
 // A unit vector from a place on the unfolded octahedron.
@@ -58,18 +64,55 @@ fn unpack_mean_direction(packed: u32) -> vec3f {
 fn vertex_at(index: u32) -> Vertex {
     let s = skin[index];
     let f = fur[index];
-    let c = colours[index];
+    let l = looks[index];
+    let blue_end = unpack2x16float(l.y);
     return Vertex(
         bitcast<vec3f>(s.xyz),
         unpack_direction(s.w),
         bitcast<vec3f>(f.xyz) * frame.fur.x,
+        vec3f(unpack2x16float(l.z), unpack2x16float(l.w).x) * frame.fur.x,
         unpack_mean_direction(f.w),
-        vec3f(unpack2x16float(c.x), unpack2x16float(c.y).x),
+        vec3f(unpack2x16float(l.x), blue_end.x),
+        blue_end.y,
     );
+}
+
+// How far from the skin the hair is at a height: c h + b (h² − h).
+fn curve(v: Vertex, height: f32) -> vec3f {
+#if BENT
+    return v.offset * height + v.bend * (height * height - height);
+#else
+    return v.offset * height;
+#endif
+}
+
+// Which way it goes there, for a unit of height.
+fn slope(v: Vertex, height: f32) -> vec3f {
+#if BENT
+    return v.offset + v.bend * (2.0 * height - 1.0);
+#else
+    return v.offset;
+#endif
+}
+
+// T at a height: the mean, turned as the curve is.
+fn direction_at(v: Vertex, height: f32) -> vec3f {
+#if BENT
+    let size = max(length(v.offset), 1e-20);
+    let turned = v.direction + slope(v, height) / max(length(slope(v, height)), 1e-20) - v.offset / size;
+    return turned / max(length(turned), 1.0);
+#else
+    return v.direction;
+#endif
 }
 
 // How much of its fur a place has, to be clamped to 0 … 1 after interpolation: it comes in over the first thousandth of a diameter of
 // length, so that fur without length is no fur and there is no step on the way.
 fn growth_of(offset: vec3f) -> f32 {
     return length(offset) * frame.fur.w;
+}
+
+// What a cut leaves of the hair at a height, to be clamped to 0 … 1 after interpolation: it ends over one layer.
+fn cut_of(end: f32, height: f32) -> f32 {
+    return (end - height) * frame.fur.y + 1.0;
 }

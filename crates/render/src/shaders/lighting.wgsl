@@ -1,7 +1,5 @@
 // pelage_lighting::Shading::shade in f32: the same terms under the same names, and the same guards. See there for the sources.
 
-override LIGHTING: u32 = 0u;  // 0: at vertices, 1: at pixels by formula, 2: at pixels by table
-
 // sin(angle)^(2 half_power) from the angle's cosine; clamped before the root, and pow(0, 0) = 1.
 fn sine_power(cosine: f32, half_power: f32) -> f32 {
     let c = clamp(cosine, -1.0, 1.0);
@@ -17,16 +15,17 @@ fn table_position(cosine: f32, by_angle: f32) -> f32 {
 
 // The diffuse and the specular factor for u = T·L and v = T·H.
 fn factors(u: f32, v: f32) -> vec2f {
-    if LIGHTING == 2u {
-        let at = vec2f(table_position(u, frame.table.z), table_position(v, frame.table.w));
-        return textureSampleLevel(factor_table, table_sampler, at, 0.0).xy;
-    }
+#if TABLE
+    let at = vec2f(table_position(u, frame.table.z), table_position(v, frame.table.w));
+    return textureSampleLevel(factor_table, table_sampler, at, 0.0).xy;
+#else
     return vec2f(sine_power(u, frame.diffuse.w), sine_power(v, frame.specular.w));
+#endif
 }
 
 // H, and the weight that fades where |L + V| is lost in rounding.
-fn half_vector(view: vec3f) -> vec4f {
-    let sum = frame.light.xyz + view;
+fn half_vector(light: vec3f, view: vec3f) -> vec4f {
+    let sum = light + view;
     let size = length(sum);
     return vec4f(sum / max(size, 1e-20), min(size * 1e3, 1.0));
 }
@@ -59,8 +58,9 @@ fn slanted_density(n_dot_l: f32) -> f32 {
 }
 
 // shadow(depth, N·L) · facing(N·L) · light.
-fn direct_light(n_dot_l: f32, depth: f32) -> vec3f {
-    return frame.light_colour.xyz * facing(n_dot_l) * floored(slanted_density(n_dot_l) * depth);
+fn direct_light(light: u32, normal: vec3f, depth: f32) -> vec3f {
+    let n_dot_l = dot(normal, frame.lights[light].direction.xyz);
+    return frame.lights[light].colour.xyz * facing(n_dot_l) * floored(slanted_density(n_dot_l) * depth);
 }
 
 // Kd · diffuse + Ks · specular.
@@ -68,16 +68,36 @@ fn reflected(factor: vec2f) -> vec3f {
     return frame.diffuse.xyz * factor.x + frame.specular.xyz * factor.y;
 }
 
+// What a hair sends on of a light, before its shadow: reflected(u, v · w).
+fn hair_response(light: u32, direction: vec3f, toward_eye: vec3f) -> vec3f {
+    let half = half_vector(frame.lights[light].direction.xyz, toward_eye);
+    return reflected(factors(dot(direction, frame.lights[light].direction.xyz), dot(direction, half.xyz)) * vec2f(1.0, half.w));
+}
+
+fn light_count() -> u32 {
+    return u32(frame.ambient.w);
+}
+
+// The lights from `first` on, on a hair of albedo 1.
+fn lights_from(first: u32, direction: vec3f, normal: vec3f, toward_eye: vec3f, depth: f32) -> vec3f {
+    var sum = vec3f(0.0);
+    for (var i = first; i < light_count(); i++) {
+        sum += hair_response(i, direction, toward_eye) * direct_light(i, normal, depth);
+    }
+    return sum;
+}
+
 // The light that a hair of albedo 1 sends from `position` to the eye.
 fn hair_light(position: vec3f, normal: vec3f, direction: vec3f, height: f32) -> vec3f {
-    let half = half_vector(normalize(frame.eye.xyz - position));
-    let factor = factors(dot(direction, frame.light.xyz), dot(direction, half.xyz));
-    let depth = 1.0 - height;
-    return ambient_light(normal, depth) + reflected(factor * vec2f(1.0, half.w)) * direct_light(dot(normal, frame.light.xyz), depth);
+    let toward_eye = normalize(frame.eye.xyz - position);
+    return ambient_light(normal, 1.0 - height) + lights_from(0u, direction, normal, toward_eye, 1.0 - height);
 }
 
 // The light that bare skin of albedo 1 sends out.
 fn skin_light(normal: vec3f) -> vec3f {
-    let n_dot_l = clamp(dot(normal, frame.light.xyz), 0.0, 1.0);
-    return frame.ambient.xyz * irradiance(normal) + frame.diffuse.xyz * frame.light_colour.xyz * n_dot_l;
+    var sum = vec3f(0.0);
+    for (var i = 0u; i < light_count(); i++) {
+        sum += frame.lights[i].colour.xyz * clamp(dot(normal, frame.lights[i].direction.xyz), 0.0, 1.0);
+    }
+    return frame.ambient.xyz * irradiance(normal) + frame.diffuse.xyz * sum;
 }

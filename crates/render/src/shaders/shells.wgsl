@@ -1,20 +1,39 @@
-// L12, L17, N2: the furred faces once for each layer, offset by c_v · k / (N − 1), from the innermost out: one instanced draw.
+// L12, L17, N2: the furred faces once for each shell, offset along the hair's curve, from the innermost out: one instanced draw.
 
 struct ShellVertex {
     @builtin(position) position: vec4f,
-    @location(0) tile: vec4f,    // tile coordinates, growth, weight of the half vector
-    @location(1) light: vec4f,   // lit at vertices: the light; else its ambient part, and u
-    @location(2) direct: vec4f,  // lit at pixels: the direct light, and v
-    @location(3) @interpolate(flat) layer: u32,
-    @location(4) blur: f32,  // levels
+    @location(0) tile: vec4f,  // tile coordinates, growth, weight of the half vector
+    @location(1) light: vec4f,  // the light, or what of it is not in `direct`; u
+    @location(2) @interpolate(flat) shell: vec2u,  // image, place among the shells
+    @location(3) blur_cut: vec2f,  // levels of blur, what a cut leaves
+#if SPLIT
+    @location(4) direct: vec4f,  // the first light, its response yet to be multiplied where it is lit at pixels; v
+#endif
+#if MAP
+    @location(5) light_in_tile: vec3f,  // L and H along the tile's axes
+    @location(6) half_in_tile: vec3f,
+#endif
+#if MARCH
+    @location(7) inward: vec3f,  // the view's way in, in tiles and heights
+    @location(8) light_below: vec3f,  // at the lowest layer of the march
+#if SPLIT
+    @location(9) direct_below: vec3f,
+#endif
+#endif
+#if HAIR_SHADOW
+    @location(10) toward_light: vec3f,  // in tiles and heights
+#endif
+#if SHADOW_MAP
+    @location(11) in_light: vec4f,  // where on the shadow map, distance; 0 at the tips to 1 at the skin
+#endif
 };
 
 // The levels of blur that let a strand's footprints in this layer and the next meet on the screen. At a grazing angle the footprints are thin
 // and apart, and a strand would be a row of dots. Where the texture is magnified the blur is used up before it shows.
-fn step_blur(clip: vec4f, offset: vec3f) -> f32 {
-    let next = clip + frame.clip_from_coat * vec4f(offset * frame.fur.y, 0.0);
-    let step = (next.xy / max(next.w, 1e-6) - clip.xy / max(clip.w, 1e-6)) * frame.screen.xy;
-    return clamp(log2(max(length(step), 1.0)), 0.0, frame.screen.z);
+fn step_blur(clip: vec4f, step: vec3f) -> f32 {
+    let next = clip + frame.clip_from_coat * vec4f(step, 0.0);
+    let apart = (next.xy / max(next.w, 1e-6) - clip.xy / max(clip.w, 1e-6)) * frame.screen.xy;
+    return clamp(log2(max(length(apart), 1.0)), 0.0, frame.screen.z);
 }
 
 // At a slant a texel's footprint is long and thin, and the sampler takes its level from the long side: all detail across is lost. The mean of
@@ -24,32 +43,205 @@ fn slant_sharpening(normal: vec3f, toward_eye: vec3f) -> f32 {
     return 0.5 * log2(clamp(dot(normal, toward_eye), 0.25, 1.0));
 }
 
-@vertex
-fn shell_vertex(@location(0) index: u32, @location(1) tile: vec2f, @builtin(instance_index) layer: u32) -> ShellVertex {
-    let v = vertex_at(index);
-    let height = f32(layer) * frame.fur.y;
-    let place = v.position + v.offset * height;
-    let toward_eye = normalize(frame.eye.xyz - place);
-    let half = half_vector(toward_eye);
-    let cosines = vec2f(dot(v.direction, frame.light.xyz), dot(v.direction, half.xyz));
-    var ambient = v.colour * ambient_light(v.normal, 1.0 - height);
-    let direct = v.colour * direct_light(dot(v.normal, frame.light.xyz), 1.0 - height);
-    if LIGHTING == 0u {
-        ambient += direct * reflected(factors(cosines.x, cosines.y) * vec2f(1.0, half.w));
-    }
-    let clip = frame.clip_from_coat * vec4f(place, 1.0);
-    return ShellVertex(
-        clip, vec4f(tile, growth_of(v.offset), half.w),
-        vec4f(ambient, cosines.x), vec4f(direct, cosines.y), layer, step_blur(clip, v.offset) + slant_sharpening(v.normal, toward_eye));
+#if AXES
+// A direction in the tile's own axes: along s and t in tiles, along the hair in heights. `s` is ∂p/∂s.
+fn in_tile(direction: vec3f, s: vec3f, normal: vec3f, along: vec3f) -> vec3f {
+    let rise = dot(along, normal);
+    let heights = dot(direction, normal) / select(rise, 1e-9, abs(rise) < 1e-9);
+    let flat = direction - heights * along;
+    return vec3f(dot(flat, s), dot(flat, cross(normal, s)), heights * dot(s, s)) / max(dot(s, s), 1e-20);
 }
 
+// Tiles aside for each height: at a grazing angle no more than ten lengths of hair.
+fn aside(way: vec3f, least: f32) -> vec2f {
+    return way.xy / max(abs(way.z), least);
+}
+#endif
+
+@vertex
+fn shell_vertex(
+    @location(0) index: u32, @location(1) tile: vec2f, @location(2) tangent: u32, @location(3) tile_side: f32,
+    @location(4) patch_vertex: u32, @location(5) place_among: u32,
+) -> ShellVertex {
+    let shell = shells[place_among];
+    let v = vertex_at(index);
+    let place = v.position + curve(v, shell.height);
+    let clip = frame.clip_from_coat * vec4f(place, 1.0);
+#if PATCH
+    // One light for the whole patch: that of the vertex in its middle.
+    let lit = vertex_at(patch_vertex);
+    let lit_place = lit.position + curve(lit, shell.height);
+#else
+    let lit = v;
+    let lit_place = place;
+#endif
+    let toward_eye = normalize(frame.eye.xyz - lit_place);
+    let direction = direction_at(lit, shell.light_height);
+    let depth = 1.0 - shell.light_height;
+    let toward_light = frame.lights[0].direction.xyz;
+    let half = half_vector(toward_light, toward_eye);
+    var out: ShellVertex;
+    out.position = clip;
+    out.tile = vec4f(tile, growth_of(v.offset), half.w);
+    out.shell = vec2u(shell.image, place_among);
+    out.blur_cut = vec2f(
+        step_blur(clip, slope(v, shell.height) * shell.step) + slant_sharpening(v.normal, normalize(frame.eye.xyz - place)),
+        cut_of(v.end, shell.height));
+#if SPLIT
+    out.light = vec4f(
+        v.colour * (ambient_light(lit.normal, depth) + lights_from(1u, direction, lit.normal, toward_eye, depth)), dot(direction, toward_light));
+    out.direct = vec4f(v.colour * first_light(lit, direction, toward_eye, depth), dot(direction, half.xyz));
+#else
+    out.light = vec4f(v.colour * (ambient_light(lit.normal, depth) + lights_from(0u, direction, lit.normal, toward_eye, depth)), 0.0);
+#endif
+#if AXES
+    let along = slope(v, shell.height);
+    let s = tile_side * unpack_direction(tangent);
+#endif
+#if MAP
+    let axes = mat3x3f(normalize(s), normalize(cross(v.normal, s)), along / max(length(along), 1e-20));
+    out.light_in_tile = toward_light * axes;
+    out.half_in_tile = half.xyz * axes;
+#endif
+#if MARCH
+    out.inward = in_tile(place - frame.eye.xyz, s, v.normal, along) / max(distance(place, frame.eye.xyz), 1e-20);
+    let lowest = max(i32(place_among) - i32(MARCHED) + 1, 1);
+    let depth_below = 1.0 - shells[lowest].light_height;
+#if SPLIT
+    out.light_below = v.colour
+        * (ambient_light(lit.normal, depth_below) + lights_from(1u, direction, lit.normal, toward_eye, depth_below));
+    out.direct_below = v.colour * first_light(lit, direction, toward_eye, depth_below);
+#else
+    out.light_below = v.colour
+        * (ambient_light(lit.normal, depth_below) + lights_from(0u, direction, lit.normal, toward_eye, depth_below));
+#endif
+#endif
+#if HAIR_SHADOW
+    out.toward_light = in_tile(toward_light, s, v.normal, along);
+#endif
+#if SHADOW_MAP
+    out.in_light = vec4f(place_in_light(place), depth);
+#endif
+    return out;
+}
+
+#if SPLIT
+// The first light: whole where it is lit at vertices, without the hair's response where that is for each pixel to say.
+fn first_light(v: Vertex, direction: vec3f, toward_eye: vec3f, depth: f32) -> vec3f {
+#if SHADOW_MAP
+    // The map knows how deep the light has come.
+    let light = frame.lights[0].colour.xyz * facing(dot(v.normal, frame.lights[0].direction.xyz));
+#else
+    let light = direct_light(0u, v.normal, depth);
+#endif
+#if PIXEL
+    return light;
+#else
+    return light * hair_response(0u, direction, toward_eye);
+#endif
+}
+#endif
+
+#if SHARED
+// What a shell that stands for so many layers of its image covers.
+fn shared_opacity(hair: vec4f, shell: Shell) -> vec4f {
+    let one = hair.a * shell.opacity;
+    return hair * ((1.0 - pow(max(1.0 - one, 0.0), shell.layers)) / max(hair.a, 1e-6));
+}
+#endif
+
+// A shell's image at a place of the tile.
+fn hair_at(tile: vec2f, place_among: u32, image: u32, blur: f32) -> vec4f {
+    let hair = textureSampleBias(shell_images, tile_sampler, tile, image, blur);
+#if SHARED
+    return shared_opacity(hair, shells[place_among]);
+#else
+    return hair;
+#endif
+}
+
+#if SPLIT
+// How much of the first light a pixel sends on.
+fn first_response(in: ShellVertex, tile: vec2f, place_among: u32) -> vec3f {
+    var response = vec3f(1.0);
+#if PIXEL
+    var cosines = vec2f(in.light.w, in.direct.w);
+#if MAP
+    let mapped = textureSampleBias(hair_directions, tile_sampler, tile, shells[place_among].direction, in.blur_cut.x).xyz * 2.0 - 1.0;
+    cosines = vec2f(dot(mapped, in.light_in_tile), dot(mapped, in.half_in_tile));
+#endif
+    response = reflected(factors(cosines.x, cosines.y) * vec2f(1.0, in.tile.w));
+#endif
+#if HAIR_SHADOW
+    // K10: what a shell further out covers of the way to the light.
+    let above = min(place_among + 2u, u32(frame.eye.w) - 1u);
+    let rise = shells[above].height - shells[place_among].height;
+    let over = tile + aside(in.toward_light, 0.15) * rise;
+    let covered = hair_at(over, above, shells[above].image, in.blur_cut.x).a;
+    response *= 1.0 - frame.facing.w * covered * select(0.0, 1.0, in.toward_light.z > 0.0);
+#endif
+#if SHADOW_MAP
+    response *= shadow_at(in.in_light);
+#endif
+    return response;
+}
+#endif
+
+fn shell_light(in: ShellVertex, tile: vec2f, place_among: u32) -> vec3f {
+#if SPLIT
+    return in.light.xyz + in.direct.xyz * first_response(in, tile, place_among);
+#else
+    return in.light.xyz;
+#endif
+}
+
+#if MARCH
+// L26, N9: this shell and the layers under it, as the ray of sight meets them, down to the next shell that is drawn.
 fn shell_colour(in: ShellVertex) -> vec4f {
-    let hair = textureSampleBias(shell_layers, tile_sampler, in.tile.xy, in.layer, in.blur) * clamp(in.tile.z, 0.0, 1.0);
-    var light = in.light.xyz;
-    if LIGHTING != 0u {
-        light += in.direct.xyz * reflected(factors(in.light.w, in.direct.w) * vec2f(1.0, in.tile.w));
+    let steps = u32(frame.screen.w);
+    let slide = aside(in.inward, 0.1);
+    let top = shells[in.shell.y].height;
+    let lowest = max(i32(in.shell.y) - i32(MARCHED) + 1, 1);
+    let depth = max(top - shells[lowest].height, 1e-6);
+    var sum = vec4f(0.0);
+    for (var i = 0u; i < MARCHED * steps; i++) {
+        let layer = i32(in.shell.y) - i32(i / steps);
+        // Below the innermost there is the skin.
+        let there = select(0.0, 1.0, layer >= 1);
+        let upper = u32(max(layer, 1));
+        let below = u32(max(layer - 1, 1));
+        let between = f32(i % steps) / f32(steps);
+        let height = mix(shells[upper].height, shells[below].height, between);
+        let tile = in.tile.xy + slide * (top - height);
+        var hair = hair_at(tile, upper, shells[upper].image, in.blur_cut.x);
+        if steps > 1u {
+            // A sample of the volume between two layers stands for a part of one.
+            hair = mix(hair, hair_at(tile, below, shells[below].image, in.blur_cut.x), between);
+            hair *= (1.0 - pow(max(1.0 - hair.a, 0.0), 1.0 / f32(steps))) / max(hair.a, 1e-6);
+        }
+        let share = clamp((top - height) / depth, 0.0, 1.0);
+        var light = mix(in.light.xyz, in.light_below, share);
+#if SPLIT
+        light += mix(in.direct.xyz, in.direct_below, share) * first_response(in, tile, upper);
+#endif
+        sum += (1.0 - sum.a) * there * vec4f(hair.rgb * light, hair.a);
     }
-    return vec4f(hair.rgb * light, hair.a);
+    return sum * kept(in);
+}
+#else
+fn shell_colour(in: ShellVertex) -> vec4f {
+    let hair = hair_at(in.tile.xy, in.shell.y, in.shell.x, in.blur_cut.x) * kept(in);
+    return vec4f(hair.rgb * shell_light(in, in.tile.xy, in.shell.y), hair.a);
+}
+#endif
+
+// How much of its fur a place has left.
+fn kept(in: ShellVertex) -> f32 {
+#if CUT
+    return clamp(in.tile.z, 0.0, 1.0) * clamp(in.blur_cut.y, 0.0, 1.0);
+#else
+    return clamp(in.tile.z, 0.0, 1.0);
+#endif
 }
 
 // Depth written where there is hair (Lengyel et al. 2001, section 2.3).
@@ -66,4 +258,14 @@ fn shell_tested(in: ShellVertex) -> @location(0) vec4f {
 @fragment
 fn shell_blended(in: ShellVertex) -> @location(0) vec4f {
     return shell_colour(in);
+}
+
+// Opacity as the share of a pixel's samples: no blending, and no order that matters.
+@fragment
+fn shell_covering(in: ShellVertex) -> @location(0) vec4f {
+    let colour = shell_colour(in);
+    if colour.a < frame.fur.z {
+        discard;
+    }
+    return vec4f(colour.rgb / colour.a, colour.a);
 }

@@ -1,0 +1,124 @@
+//! Two levels of detail blended on the tile (L16), before the shells are drawn from it.
+
+use wgpu::{
+    BindGroup, BindGroupDescriptor, BindGroupEntry, BindGroupLayout, BindGroupLayoutDescriptor, BindingResource, BindingType, Buffer,
+    BufferUsages, ComputePass, ComputePipeline, ComputePipelineDescriptor, Device, Extent3d, PipelineCompilationOptions,
+    PipelineLayoutDescriptor, Queue, ShaderModuleDescriptor, ShaderSource, ShaderStages, StorageTextureAccess, Texture, TextureDescriptor,
+    TextureDimension, TextureFormat, TextureUsages, TextureView, TextureViewDescriptor, TextureViewDimension,
+};
+
+use crate::GpuTextures;
+use crate::buffers::room;
+use crate::pipelines::{entry, texture, uniform};
+use crate::schedule::{MOST_SHELLS, Slot};
+
+/// Texels along a side of what one group of the shader blends.
+const GROUP: u32 = 8;
+
+/// The compute pipeline.
+#[derive(Debug)]
+pub(crate) struct Blender {
+    layout: BindGroupLayout,
+    pipeline: ComputePipeline,
+}
+
+/// The stack that a view's blended levels are put into.
+#[derive(Debug)]
+pub(crate) struct BlendedStack {
+    pub(crate) view: TextureView,
+    slots: Buffer,
+    /// For each mip, what it is made of and its side.
+    mips: Vec<(BindGroup, u32)>,
+}
+
+impl Blender {
+    pub(crate) fn new(device: &Device) -> Self {
+        let compute = ShaderStages::COMPUTE;
+        let written = BindingType::StorageTexture {
+            access: StorageTextureAccess::WriteOnly,
+            format: TextureFormat::Rgba8Unorm,
+            view_dimension: TextureViewDimension::D2Array,
+        };
+        let entries = [entry(0, compute, texture(TextureViewDimension::D2Array)), entry(1, compute, written), entry(2, compute, uniform())];
+        let layout = device.create_bind_group_layout(&BindGroupLayoutDescriptor { label: Some("blend"), entries: &entries });
+        let module = device.create_shader_module(ShaderModuleDescriptor {
+            label: Some("blend"),
+            source: ShaderSource::Wgsl(include_str!("shaders/blend.wgsl").into()),
+        });
+        let pipeline_layout = device.create_pipeline_layout(&PipelineLayoutDescriptor {
+            label: Some("blend"),
+            bind_group_layouts: &[Some(&layout)],
+            immediate_size: 0,
+        });
+        let pipeline = device.create_compute_pipeline(&ComputePipelineDescriptor {
+            label: Some("blend"),
+            layout: Some(&pipeline_layout),
+            module: &module,
+            entry_point: Some("blend"),
+            compilation_options: PipelineCompilationOptions::default(),
+            cache: None,
+        });
+        Self { layout, pipeline }
+    }
+}
+
+impl BlendedStack {
+    /// Room for the finest level's images.
+    pub(crate) fn new(device: &Device, blender: &Blender, textures: &GpuTextures) -> Self {
+        let layers = textures.levels.first().map_or(1, Vec::len) as u32;
+        let source = &textures.shells;
+        // Written as it is, read as sRGB: storage has no such encoding.
+        let stack = device.create_texture(&TextureDescriptor {
+            label: Some("blended levels"),
+            size: Extent3d { width: source.width(), height: source.height(), depth_or_array_layers: layers },
+            mip_level_count: source.mip_level_count(),
+            sample_count: 1,
+            dimension: TextureDimension::D2,
+            format: TextureFormat::Rgba8Unorm,
+            usage: TextureUsages::TEXTURE_BINDING | TextureUsages::STORAGE_BINDING,
+            view_formats: &[TextureFormat::Rgba8UnormSrgb],
+        });
+        let slots = room(device, "blend", BufferUsages::UNIFORM, (MOST_SHELLS * size_of::<Slot>()) as u64);
+        let mips = (0..source.mip_level_count()).map(|mip| {
+            let of = |texture: &Texture, usage| {
+                texture.create_view(&TextureViewDescriptor {
+                    dimension: Some(TextureViewDimension::D2Array),
+                    base_mip_level: mip,
+                    mip_level_count: Some(1),
+                    usage: Some(usage),
+                    ..TextureViewDescriptor::default()
+                })
+            };
+            let views = [of(source, TextureUsages::TEXTURE_BINDING), of(&stack, TextureUsages::STORAGE_BINDING)];
+            let mut resources = views.iter().map(BindingResource::TextureView).collect::<Vec<_>>();
+            resources.push(slots.as_entire_binding());
+            let entries: Vec<_> = resources.into_iter().zip(0..).map(|(resource, binding)| BindGroupEntry { binding, resource }).collect();
+            let group = device.create_bind_group(&BindGroupDescriptor { label: Some("blend"), layout: &blender.layout, entries: &entries });
+            (group, (source.width() >> mip).max(1))
+        });
+        Self {
+            mips: mips.collect(),
+            view: stack.create_view(&TextureViewDescriptor {
+                format: Some(TextureFormat::Rgba8UnormSrgb),
+                dimension: Some(TextureViewDimension::D2Array),
+                usage: Some(TextureUsages::TEXTURE_BINDING),
+                ..TextureViewDescriptor::default()
+            }),
+            slots,
+        }
+    }
+
+    /// Says what is blended from now on.
+    pub(crate) fn set(&self, queue: &Queue, slots: &[Slot]) {
+        queue.write_buffer(&self.slots, 0, bytemuck::cast_slice(slots));
+    }
+
+    /// Records the blending of so many images.
+    pub(crate) fn record(&self, pass: &mut ComputePass<'_>, blender: &Blender, images: u32) {
+        pass.set_pipeline(&blender.pipeline);
+        for (group, side) in &self.mips {
+            pass.set_bind_group(0, group, &[]);
+            pass.dispatch_workgroups(side.div_ceil(GROUP), side.div_ceil(GROUP), images);
+        }
+    }
+}

@@ -1,0 +1,59 @@
+//! What the device picked for a frame, brought back to be counted.
+
+use wgpu::{Buffer, CommandEncoder, Device};
+
+use crate::{FrameStats, GpuCoat, PreparedView, RenderError, readback};
+
+/// Copies of the draws' arguments and of the faces that were picked.
+#[derive(Debug)]
+pub(crate) struct Counts {
+    fins: Buffer,
+    faces: Buffer,
+    survivors: Buffer,
+}
+
+impl Counts {
+    /// Records the copies, after what picks.
+    pub(crate) fn record(device: &Device, encoder: &mut CommandEncoder, view: &PreparedView) -> Self {
+        let mut copy = |from: &Buffer| {
+            let to = readback::readable(device, from.size());
+            encoder.copy_buffer_to_buffer(from, 0, &to, 0, from.size());
+            to
+        };
+        Self { fins: copy(&view.fins.draws), faces: copy(&view.faces.draws), survivors: copy(&view.faces.survivors) }
+    }
+
+    /// Waits for the device and counts.
+    pub(crate) fn read(&self, device: &Device, coat: &GpuCoat, view: &PreparedView) -> Result<FrameStats, RenderError> {
+        let words = |buffer| readback::read(device, buffer, bytemuck::pod_collect_to_vec::<u8, u32>);
+        let fins = if view.shown.fins { words(&self.fins)?[1] } else { 0 };
+        let corners = words(&self.survivors)?;
+        let arguments = words(&self.faces)?;
+        let faces_up_to = |run: usize| if view.shown.culling { arguments[5 * run] / 3 } else { coat.runs[run].faces };
+        let (mut shell_faces, mut faces_drawn) = (0, 0);
+        for (run, range) in view.draws.iter().enumerate().filter(|(_, range)| view.shown.shells && range.start < range.end) {
+            shell_faces += u64::from(range.end - range.start) * u64::from(faces_up_to(run));
+            faces_drawn = faces_drawn.max(faces_up_to(run));
+        }
+        let mut drawn = vec![false; coat.patch_count as usize];
+        if view.shown.culling {
+            for &corner in &corners[..3 * faces_drawn as usize] {
+                drawn[coat.patch_of[corner as usize] as usize] = true;
+            }
+        }
+        let skin = if view.shown.surface { u64::from(coat.corner_count / 3) } else { 0 };
+        let patches_drawn = if view.shown.culling { drawn.iter().filter(|&&drawn| drawn).count() as u32 } else { coat.patch_count };
+        Ok(FrameStats {
+            shells_drawn: view.shell_count(),
+            faces_drawn,
+            faces_furred: coat.furred_face_count(),
+            patches_drawn: if faces_drawn > 0 { patches_drawn } else { 0 },
+            patches: coat.patch_count,
+            level: view.level(),
+            fins_drawn: fins,
+            fins_considered: view.fins_considered(coat),
+            triangles: skin + 2 * u64::from(view.shown.fin_segments) * u64::from(fins) + shell_faces,
+            passes: None,
+        })
+    }
+}

@@ -1,0 +1,156 @@
+//! Picking what is drawn, on the device: the faces that can be seen (K18) and the edges with a fin (L11, N1), packed in their order.
+
+use bytemuck::{Pod, Zeroable};
+use wgpu::{
+    BindGroup, BindGroupDescriptor, BindGroupEntry, BindGroupLayout, BindGroupLayoutDescriptor, Buffer, BufferUsages, ComputePass,
+    ComputePipeline, ComputePipelineDescriptor, Device, PipelineCompilationOptions, PipelineLayoutDescriptor, Queue,
+    ShaderModuleDescriptor, ShaderSource, ShaderStages,
+};
+
+use crate::GpuCoat;
+use crate::buffers::{array, room};
+use crate::pipelines::{entry, storage, uniform};
+use crate::shader::assemble;
+
+/// Items that one group of the compute shaders looks at.
+const GROUP: u32 = 256;
+
+/// Most items that there can be: as many as groups can be started in a row.
+pub(crate) const MOST_ITEMS: u64 = 65_535 * GROUP as u64;
+
+/// What is picked.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Kind {
+    Faces,
+    Fins,
+}
+
+/// The compute pipelines for both kinds.
+#[derive(Debug)]
+pub(crate) struct Selectors {
+    scene_layout: BindGroupLayout,
+    pick_layout: BindGroupLayout,
+    pack_layout: BindGroupLayout,
+    sum: ComputePipeline,
+    faces: [ComputePipeline; 2],
+    fins: [ComputePipeline; 2],
+}
+
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Pod, Zeroable)]
+struct SelectionUniform {
+    items: u32,
+    groups: u32,
+    unused: [u32; 2],
+}
+
+impl Selectors {
+    pub(crate) fn new(device: &Device) -> Self {
+        let layout = |label, types: &[wgpu::BindingType]| {
+            let entries: Vec<_> = types.iter().zip(0..).map(|(&ty, binding)| entry(binding, ShaderStages::COMPUTE, ty)).collect();
+            device.create_bind_group_layout(&BindGroupLayoutDescriptor { label: Some(label), entries: &entries })
+        };
+        let (read, written) = (storage(true), storage(false));
+        let scene_layout = layout("scene of a selection", &[uniform(), read, read, read, read]);
+        let pick_layout = layout("picking", &[written, written, read, uniform()]);
+        let pack_layout = layout("packing", &[read, written, read, read, written, written, uniform()]);
+        let shared = [include_str!("shaders/selection.wgsl"), include_str!("shaders/common.wgsl")];
+        let pick = |source| (assemble(&[shared[0], shared[1], source], &[]), "pick", vec![&scene_layout, &pick_layout]);
+        let pack = |flags: &[&str], name| (assemble(&[shared[0], include_str!("shaders/select.wgsl")], flags), name, vec![&pack_layout]);
+        let pipeline = |(source, name, layouts)| pipeline(device, source, name, layouts);
+        Self {
+            sum: pipeline(pack(&[], "sum_groups")),
+            faces: [pipeline(pick(include_str!("shaders/select_faces.wgsl"))), pipeline(pack(&["FACES"], "pack"))],
+            fins: [pipeline(pick(include_str!("shaders/select_fins.wgsl"))), pipeline(pack(&[], "pack"))],
+            scene_layout,
+            pick_layout,
+            pack_layout,
+        }
+    }
+}
+
+fn pipeline(device: &Device, source: String, name: &str, layouts: Vec<&BindGroupLayout>) -> ComputePipeline {
+    let module = device.create_shader_module(ShaderModuleDescriptor { label: Some(name), source: ShaderSource::Wgsl(source.into()) });
+    let layouts: Vec<Option<&BindGroupLayout>> = layouts.into_iter().map(Some).collect();
+    let layout =
+        device.create_pipeline_layout(&PipelineLayoutDescriptor { label: Some(name), bind_group_layouts: &layouts, immediate_size: 0 });
+    device.create_compute_pipeline(&ComputePipelineDescriptor {
+        label: Some(name),
+        layout: Some(&layout),
+        module: &module,
+        entry_point: Some(name),
+        compilation_options: PipelineCompilationOptions::default(),
+        cache: None,
+    })
+}
+
+/// What one view picks of one coat.
+#[derive(Debug)]
+pub(crate) struct Selection {
+    kind: Kind,
+    groups: u32,
+    scene: BindGroup,
+    pick: BindGroup,
+    pack: BindGroup,
+    /// Faces: three corners each; fins: edge and opacity.
+    pub(crate) survivors: Buffer,
+    /// The arguments of a draw for each run, five words.
+    pub(crate) draws: Buffer,
+}
+
+impl Selection {
+    /// A selection of `kind` for the frame whose uniform is given.
+    pub(crate) fn new(device: &Device, queue: &Queue, selectors: &Selectors, kind: Kind, frame: &Buffer, coat: &GpuCoat) -> Self {
+        let (items, runs, words) = match kind {
+            Kind::Faces => (coat.furred_face_count(), coat.runs.len().max(1), 3),
+            Kind::Fins => (coat.edge_count, 1, 2),
+        };
+        let groups = items.div_ceil(GROUP);
+        let of_items = |words: u32| 4 * u64::from(words) * u64::from(items);
+        let usage = BufferUsages::STORAGE;
+        let picked = room(device, "picked", usage, of_items(1));
+        let counts = room(device, "counts", usage, 4 * u64::from(groups));
+        let readable = usage | BufferUsages::COPY_SRC;
+        let survivors = room(device, "survivors", readable | BufferUsages::INDEX, of_items(words));
+        let draws = room(device, "draws", readable | BufferUsages::INDIRECT, 20 * runs as u64);
+        let number = SelectionUniform { items, groups, unused: [0; 2] };
+        let number = array(device, queue, "selection", BufferUsages::UNIFORM, &[number]);
+        let last = if kind == Kind::Faces { &coat.tiles } else { &coat.edges };
+        let bind = |label, layout, buffers: &[&Buffer]| {
+            let entries: Vec<_> =
+                buffers.iter().zip(0..).map(|(buffer, binding)| BindGroupEntry { binding, resource: buffer.as_entire_binding() }).collect();
+            device.create_bind_group(&BindGroupDescriptor { label: Some(label), layout, entries: &entries })
+        };
+        Self {
+            kind,
+            groups,
+            scene: bind("scene of a selection", &selectors.scene_layout, &[frame, &coat.skin, &coat.fur, &coat.looks, last]),
+            pick: bind("picking", &selectors.pick_layout, &[&picked, &counts, &coat.furred_faces, &number]),
+            pack: bind(
+                "packing",
+                &selectors.pack_layout,
+                &[&picked, &counts, &coat.furred_faces, &coat.run_of, &survivors, &draws, &number],
+            ),
+            survivors,
+            draws,
+        }
+    }
+
+    /// Records the picking.
+    pub(crate) fn record(&self, pass: &mut ComputePass<'_>, selectors: &Selectors) {
+        if self.groups == 0 {
+            return;
+        }
+        let [pick, pack] = if self.kind == Kind::Faces { &selectors.faces } else { &selectors.fins };
+        pass.set_pipeline(pick);
+        pass.set_bind_group(0, &self.scene, &[]);
+        pass.set_bind_group(1, &self.pick, &[]);
+        pass.dispatch_workgroups(self.groups, 1, 1);
+        pass.set_pipeline(&selectors.sum);
+        pass.set_bind_group(0, &self.pack, &[]);
+        pass.dispatch_workgroups(1, 1, 1);
+        pass.set_pipeline(pack);
+        pass.set_bind_group(0, &self.pack, &[]);
+        pass.dispatch_workgroups(self.groups, 1, 1);
+    }
+}

@@ -1,0 +1,123 @@
+// K18: the faces of which a shell can be seen: those of which, at no height of the fur, all is outside of one side of the view, nor the back is
+// shown, nor all is behind what is in the depth buffer already.
+
+@group(0) @binding(0) var<uniform> frame: Frame;
+@group(0) @binding(1) var<storage, read> skin: array<vec4u>;
+@group(0) @binding(2) var<storage, read> fur: array<vec4u>;
+@group(0) @binding(3) var<storage, read> looks: array<vec4u>;
+@group(0) @binding(4) var<storage, read> tiles: array<u32>;  // patch vertices, six words each
+
+@group(1) @binding(0) var<storage, read_write> picked: array<u32>;  // per item: 0, or what is kept of it
+@group(1) @binding(1) var<storage, read_write> counts: array<u32>;  // per group: how many
+@group(1) @binding(2) var<storage, read> items: array<u32>;         // three corners each
+@group(1) @binding(3) var<uniform> selection: Selection;
+
+// A corner's hair in homogeneous coordinates, as the powers of its height: at (h) = x + y h + z h².
+struct Column {
+    x: vec4f,
+    y: vec4f,
+    z: vec4f,
+};
+
+fn column(v: Vertex) -> Column {
+    return Column(
+        frame.clip_from_coat * vec4f(v.position, 1.0),
+        frame.clip_from_coat * vec4f(v.offset - v.bend, 0.0),
+        frame.clip_from_coat * vec4f(v.bend, 0.0));
+}
+
+// Whether something lies inside of a side of the view (a half-space of homogeneous coordinates): of a parabola, one of its control points.
+fn inside(c: Column, side: vec4f) -> bool {
+    let root = dot(c.x, side);
+    let bend = root + 0.5 * dot(c.y, side);
+    return root >= 0.0 || bend >= 0.0 || root + dot(c.y, side) + dot(c.z, side) >= 0.0;
+}
+
+struct Face {
+    a: Column,
+    b: Column,
+    c: Column,
+};
+
+fn in_view(face: Face) -> bool {
+    var sides = array<vec4f, 6>(
+        vec4f(1.0, 0.0, 0.0, 1.0), vec4f(-1.0, 0.0, 0.0, 1.0), vec4f(0.0, 1.0, 0.0, 1.0), vec4f(0.0, -1.0, 0.0, 1.0),
+        vec4f(0.0, 0.0, 1.0, 0.0), vec4f(0.0, 0.0, -1.0, 1.0));
+    for (var i = 0u; i < 6u; i++) {
+        if !(inside(face.a, sides[i]) || inside(face.b, sides[i]) || inside(face.c, sides[i])) {
+            return false;
+        }
+    }
+    return true;
+}
+
+// (x, y, w): what decides which side of a triangle is seen.
+fn seen(v: vec4f) -> vec3f {
+    return v.xyw;
+}
+
+// Whether the face shows its front at some height. It shows it where det(P, Q − P, R − P) > 0, a polynomial of the sixth degree in the height, which is
+// nowhere above the greatest of its Bernstein coefficients.
+fn shows_front(face: Face, ab: Column, ac: Column) -> bool {
+    var p = array<vec3f, 3>(seen(face.a.x), seen(face.a.y), seen(face.a.z));
+    var q = array<vec3f, 3>(seen(ab.x), seen(ab.y), seen(ab.z));
+    var r = array<vec3f, 3>(seen(ac.x), seen(ac.y), seen(ac.z));
+    var normal = array<vec3f, 5>();
+    for (var i = 0u; i < 3u; i++) {
+        for (var j = 0u; j < 3u; j++) {
+            normal[i + j] += cross(q[i], r[j]);
+        }
+    }
+    var power = array<f32, 7>();
+    for (var i = 0u; i < 3u; i++) {
+        for (var j = 0u; j < 5u; j++) {
+            power[i + j] += dot(p[i], normal[j]);
+        }
+    }
+    // C(j, i) / C(6, i), row by row.
+    var greatest = -1e30;
+    for (var j = 0u; j < 7u; j++) {
+        var coefficient = 0.0;
+        var weight = 1.0;
+        for (var i = 0u; i <= j; i++) {
+            coefficient += weight * power[i];
+            weight *= f32(j - i) / f32(6u - i);
+        }
+        greatest = max(greatest, coefficient);
+    }
+    // What rounding may be off by.
+    let size = (length(p[0]) + length(p[1]) + length(p[2])) * (length(q[0]) + length(q[1]) + length(q[2])) * (length(r[0]) + length(r[1]) + length(r[2]));
+    return greatest > -1e-6 * size;
+}
+
+fn minus(a: Vertex, b: Vertex) -> Column {
+    return Column(
+        frame.clip_from_coat * vec4f(a.position - b.position, 0.0),
+        frame.clip_from_coat * vec4f((a.offset - a.bend) - (b.offset - b.bend), 0.0),
+        frame.clip_from_coat * vec4f(a.bend - b.bend, 0.0));
+}
+
+fn face_is_seen(face: u32) -> bool {
+    let a = vertex_at(tiles[6u * items[3u * face]]);
+    let b = vertex_at(tiles[6u * items[3u * face + 1u]]);
+    let c = vertex_at(tiles[6u * items[3u * face + 2u]]);
+    let columns = Face(column(a), column(b), column(c));
+    return in_view(columns) && shows_front(columns, minus(b, a), minus(c, a));
+}
+
+var<workgroup> count: atomic<u32>;
+
+@compute @workgroup_size(256)
+fn pick(@builtin(global_invocation_id) id: vec3u, @builtin(local_invocation_index) lane: u32, @builtin(workgroup_id) group: vec3u) {
+    if id.x < selection.items {
+        let visible = face_is_seen(id.x);
+        picked[id.x] = select(0u, 1u, visible);
+        if visible {
+            atomicAdd(&count, 1u);
+        }
+    }
+    workgroupBarrier();
+    if lane == 0u {
+        counts[group.x] = atomicLoad(&count);
+    }
+}
