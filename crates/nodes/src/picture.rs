@@ -6,7 +6,8 @@ use pelage_coat::{Background, Coat, Lights};
 use pelage_graph::{Colour, Context, Evaluate, Node, NodeError, Param};
 use pelage_lighting::{Axis, Shading, TableLayout};
 use pelage_render::{
-    AdapterSummary, FrameStats, FrameTimes, Headless, LightingMode, Offscreen, Options, Picture, ShellDepth, ShellRange, View,
+    AdapterSummary, Detail, FinRule, FrameStats, FrameTimes, Headless, LightingMode, March, Offscreen, Options, Picture, ShadowOptions,
+    ShellDepth, ShellRange, View,
 };
 
 use crate::Framing;
@@ -57,11 +58,66 @@ pub enum DepthMode {
     Written,
     /// Only tested, as in NVIDIA's sample.
     Tested,
+    /// Written, without blending: opacity is the share of a pixel's samples (alpha to coverage). Wants 4 samples.
+    Coverage,
+}
+
+/// Which edges carry a fin (L11, N1).
+#[derive(Clone, Debug, PartialEq, Param)]
+pub enum FinsOn {
+    /// Those near the silhouette, faded in, as in the paper.
+    Faded,
+    /// Silhouettes' edges and those nearly so, whole, as in NVIDIA's sample.
+    Silhouettes {
+        /// The cosine between the direction to the eye and a face's normal below which an edge counts.
+        #[param(default = 0.2, range = 0.0..=1.0, unit = "cosine", effect = "more fins, further inside the silhouette")]
+        threshold: f64,
+    },
+    /// All edges, whole.
+    All,
+}
+
+impl From<&FinsOn> for FinRule {
+    fn from(fins: &FinsOn) -> Self {
+        match *fins {
+            FinsOn::Faded => Self::Faded,
+            FinsOn::Silhouettes { threshold } => Self::Silhouette { threshold: threshold as f32 },
+            FinsOn::All => Self::All,
+        }
+    }
+}
+
+/// At which level of detail shells are drawn (L16).
+#[derive(Clone, Debug, PartialEq, Param)]
+pub enum ShellDetail {
+    /// As coarse as leaves shells this far apart on the screen, seen from the side.
+    Spacing {
+        /// Between two shells.
+        #[param(default = 0.25, range = 0.0..=64.0, unit = "pixels", effect = "larger: fewer shells in the distance; 0: all of them always")]
+        pixels: f64,
+    },
+    /// Always the same.
+    Level {
+        /// 0 is the finest, each has half the shells of the one before, a fraction blends.
+        #[param(default = 0.0, range = 0.0..=8.0, unit = "levels", effect = "each level halves the shells, and the fragments with them")]
+        level: f64,
+    },
+}
+
+impl From<&ShellDetail> for Detail {
+    fn from(detail: &ShellDetail) -> Self {
+        match *detail {
+            ShellDetail::Spacing { pixels } => Self::Spacing(pixels as f32),
+            ShellDetail::Level { level } => Self::Level(level as f32),
+        }
+    }
 }
 
 /// Where hair lighting is evaluated.
 #[derive(Clone, Debug, PartialEq, Param)]
 pub enum LightingAt {
+    /// Once for each patch and shell: the patches show.
+    Patches,
     /// At the shells' vertices: cheapest, and highlights smear over large faces.
     Vertices,
     /// At every pixel, by the formula.
@@ -128,9 +184,27 @@ pub struct RenderImage {
     /// Whether fins are drawn.
     #[param(default = true)]
     pub fins: bool,
+    /// Which edges carry a fin.
+    #[param(default = FinsOn::Faded)]
+    pub fins_on: FinsOn,
+    /// Into how many quads a fin is cut, so that it bends with the hair (K11).
+    #[param(default = 1, range = 1..=16, unit = "quads", effect = "more: rounder fins where the coat bends; vertices are linear in it")]
+    pub fin_segments: u32,
     /// How many of the shells to draw, from the skin.
     #[param(default = 256, range = 1..=256, unit = "shells", effect = "fewer than there are cuts the tips off")]
     pub shell_count: u32,
+    /// At which level of detail, where the shells have several.
+    #[param(default = ShellDetail::Spacing { pixels: 0.25 })]
+    pub detail: ShellDetail,
+    /// Layers that each drawn shell shows, where the ray of sight meets them (L26, N9).
+    #[param(default = 1, range = 1..=256, unit = "layers", effect = "more: fewer shells to blend, with as many fetches; silhouettes suffer")]
+    pub march: u32,
+    /// Samples of the volume for each layer, where shells show several or this is over 1.
+    #[param(default = 1, range = 1..=16, unit = "samples", effect = "more: smoother at a slant; fetches go with twice that")]
+    pub march_steps: u32,
+    /// Whether faces that cannot be seen are left out (K18).
+    #[param(default = true)]
+    pub culling: bool,
     /// Multiplies the length of all fur.
     #[param(default = 1.0, range = 0.0..=100.0, unit = "ratio", effect = "0 is bald")]
     pub length_scale: f64,
@@ -140,6 +214,18 @@ pub struct RenderImage {
     /// Where lighting is evaluated.
     #[param(default = LightingAt::Vertices)]
     pub lighting: LightingAt,
+    /// Whether lighting at pixels takes the hair's direction from the direction map, where the shells have one (L15).
+    #[param(default = true)]
+    pub direction_map: bool,
+    /// How strongly a hair shades the hair under it on the way to the first light (K10).
+    #[param(default = 0.0, range = 0.0..=1.0, unit = "fraction", effect = "larger: hairs stand out from each other; over 0 costs a second fetch")]
+    pub hair_shadow: f64,
+    /// Whether skin and fur cast shadows in the first light, by a map.
+    #[param(default = false)]
+    pub shadows: bool,
+    /// Texels along a side of the shadow map.
+    #[param(default = 1024, range = 16..=16384, unit = "texels", effect = "more: finer shadows; memory and fragments go with its square")]
+    pub shadow_size: u32,
     /// Samples a pixel: 1, or 4 for smooth edges.
     #[param(default = 4, range = 1..=4, unit = "samples", effect = "4: smooth edges for about half as much time again")]
     pub samples: u32,
@@ -190,8 +276,10 @@ impl RenderImage {
                 shell_depth: match self.depth {
                     DepthMode::Written => ShellDepth::default(),
                     DepthMode::Tested => ShellDepth::Tested,
+                    DepthMode::Coverage => ShellDepth::Coverage { threshold: 0.02 },
                 },
                 lighting: match &self.lighting {
+                    LightingAt::Patches => LightingMode::PerPatch,
                     LightingAt::Vertices => LightingMode::PerVertex,
                     LightingAt::Pixels => LightingMode::Formula,
                     LightingAt::Table { size, diffuse_by, specular_by } => {
@@ -200,7 +288,14 @@ impl RenderImage {
                 },
                 anisotropy: self.anisotropy as u16,
                 step_blur: self.step_blur as f32,
-                ..Options::default()
+                fin_rule: FinRule::from(&self.fins_on),
+                fin_segments: self.fin_segments,
+                detail: Detail::from(&self.detail),
+                march: March { layers: self.march, steps: self.march_steps },
+                culling: self.culling,
+                direction_map: self.direction_map,
+                hair_shadow: self.hair_shadow as f32,
+                shadows: self.shadows.then_some(ShadowOptions { side: self.shadow_size }),
             },
         }
     }

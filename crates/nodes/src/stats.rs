@@ -128,6 +128,7 @@ fn frame(report: &crate::FrameReport) -> Value {
     let stats = &report.stats;
     let mut frame = json!({
         "width": report.size.0, "height": report.size.1, "shells_drawn": stats.shells_drawn,
+        "faces_drawn": stats.faces_drawn, "faces_furred": stats.faces_furred, "patches_drawn": stats.patches_drawn, "level": stats.level,
         "fins_drawn": stats.fins_drawn, "fins_considered": stats.fins_considered, "triangles": stats.triangles,
     });
     if let Some(times) = &report.times {
@@ -137,7 +138,7 @@ fn frame(report: &crate::FrameReport) -> Value {
         frame["ms_max"] = json!(times.ms_max);
     }
     if let Some(passes) = report.times.as_ref().and_then(|times| times.passes).or(stats.passes) {
-        frame["pass_ms"] = json!({ "surface": passes.surface, "fins": passes.fins, "shells": passes.shells });
+        frame["pass_ms"] = json!({ "compute": passes.compute, "surface": passes.surface, "fins": passes.fins, "shells": passes.shells });
     }
     frame
 }

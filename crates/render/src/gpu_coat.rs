@@ -29,6 +29,8 @@ pub struct GpuCoat {
     pub(crate) traits: CoatTraits,
     /// The longest hair, in diameters.
     pub(crate) length: f32,
+    /// The ball around skin and fur: centre and radius.
+    pub(crate) ball: (Vec3, f32),
     /// The patch of each patch vertex, to count by.
     pub(crate) patch_of: Vec<u32>,
     pub(crate) patch_count: u32,
@@ -64,6 +66,7 @@ impl GpuCoat {
                 direction_map: textures.has_directions,
             },
             length: coat.surface.offsets.iter().map(|offset| offset.length()).fold(0.0, f32::max),
+            ball: ball(coat),
             patch_of: patch_of(coat),
             patch_count: coat.patches.patch_ends.len() as u32,
             skin,
@@ -88,6 +91,11 @@ impl GpuCoat {
     pub fn furred_face_count(&self) -> u32 {
         self.runs.last().map_or(0, |run| run.faces)
     }
+}
+
+fn ball(coat: &Coat) -> (Vec3, f32) {
+    let (low, high) = coat.bounds();
+    (0.5 * (low + high), 0.5 * (high - low).length())
 }
 
 fn patch_of(coat: &Coat) -> Vec<u32> {

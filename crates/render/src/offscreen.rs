@@ -157,7 +157,7 @@ impl Offscreen {
         view: &PreparedView,
         timer: Option<&PassTimer>,
     ) {
-        self.renderer.compute_timed(encoder, view, timer.map(PassTimer::compute_writes));
+        self.renderer.compute_timed(encoder, coat, view, timer.map(PassTimer::compute_writes));
         let Some(timer) = timer else {
             let mut pass = attachments.pass(encoder, "frame", Place { first: true, last: true }, None);
             self.background.draw(&mut pass);

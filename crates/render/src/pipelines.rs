@@ -15,8 +15,13 @@ use crate::pack::TileVertex;
 use crate::shader::assemble;
 use crate::{LightingMode, Options, ShellDepth, Target};
 
-const SHARED: [&str; 3] =
-    [include_str!("shaders/common.wgsl"), include_str!("shaders/bindings.wgsl"), include_str!("shaders/lighting.wgsl")];
+/// What all drawing passes begin with.
+pub(crate) const SHARED: [&str; 4] = [
+    include_str!("shaders/common.wgsl"),
+    include_str!("shaders/bindings.wgsl"),
+    include_str!("shaders/lighting.wgsl"),
+    include_str!("shaders/shadow.wgsl"),
+];
 
 /// What to draw with, for one view.
 #[derive(Clone, Debug)]
@@ -41,6 +46,8 @@ pub(crate) struct Variant {
     shared: bool,
     /// A hair shades what is under it.
     hair_shadow: bool,
+    /// The first light is looked up on a map.
+    shadow_map: bool,
     /// Layers in each shell.
     marched: u32,
 }
@@ -63,7 +70,7 @@ enum Depth {
 }
 
 /// What a coat has that a shader needs to know.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub(crate) struct CoatTraits {
     pub(crate) bent: bool,
     pub(crate) cut: bool,
@@ -93,6 +100,7 @@ impl Variant {
             cut: coat.cut,
             shared,
             hair_shadow: options.hair_shadow > 0.0,
+            shadow_map: options.shadows.is_some(),
             marched: if options.march.layers > 1 || options.march.steps > 1 { options.march.layers.max(1) } else { 0 },
         }
     }
@@ -111,14 +119,19 @@ impl Variant {
             ("SHARED", self.shared),
             ("HAIR_SHADOW", self.hair_shadow),
             ("MARCH", march),
-            ("SPLIT", per_pixel || self.hair_shadow),
+            ("SHADOW_MAP", self.shadow_map),
+            ("SPLIT", per_pixel || self.hair_shadow || self.shadow_map),
             ("AXES", self.map || march || self.hair_shadow),
         ];
         flags.into_iter().filter_map(|(name, on)| on.then_some(name)).collect()
     }
 
     fn source(&self, pass: &str) -> String {
-        format!("const MARCHED: u32 = {}u;\n{}", self.marched.max(1), assemble(&[SHARED[0], SHARED[1], SHARED[2], pass], &self.flags()))
+        format!(
+            "const MARCHED: u32 = {}u;\n{}",
+            self.marched.max(1),
+            assemble(&[SHARED[0], SHARED[1], SHARED[2], SHARED[3], pass], &self.flags())
+        )
     }
 }
 
@@ -197,34 +210,34 @@ impl Pipelines {
 
     fn pipeline(&self, device: &Device, pass: &Pass<'_>, variant: Variant) -> RenderPipeline {
         let module = self.module(device, pass, variant);
-        let tile = vertex_attr_array![0 => Uint32, 1 => Float32x2, 2 => Uint32, 3 => Float32, 4 => Uint32];
-        let shell = vertex_attr_array![5 => Uint32];
-        let layout = |stride: usize, step_mode, attributes| VertexBufferLayout { array_stride: stride as u64, step_mode, attributes };
-        let buffers = [
-            Some(layout(size_of::<TileVertex>(), VertexStepMode::Vertex, &tile[..])),
-            Some(layout(size_of::<u32>(), VertexStepMode::Instance, &shell[..])),
-        ];
-        device.create_render_pipeline(&RenderPipelineDescriptor {
-            label: Some(pass.vertex),
-            layout: Some(&self.layout),
-            vertex: VertexState {
-                module: &module,
-                entry_point: Some(pass.vertex),
-                compilation_options: PipelineCompilationOptions::default(),
-                buffers: &buffers[..pass.buffers],
-            },
-            primitive: pass.primitive,
-            depth_stencil: Some(self.target.depth_state(pass.write_depth)),
-            multisample: MultisampleState { alpha_to_coverage_enabled: pass.to_coverage, ..self.target.multisample_state() },
-            fragment: Some(FragmentState {
-                module: &module,
-                entry_point: Some(pass.fragment),
-                compilation_options: PipelineCompilationOptions::default(),
-                targets: &[Some(ColorTargetState { format: self.target.colour, blend: pass.blend, write_mask: ColorWrites::ALL })],
-            }),
-            multiview_mask: None,
-            cache: None,
+        shell_buffers(|buffers| {
+            device.create_render_pipeline(&RenderPipelineDescriptor {
+                label: Some(pass.vertex),
+                layout: Some(&self.layout),
+                vertex: VertexState {
+                    module: &module,
+                    entry_point: Some(pass.vertex),
+                    compilation_options: PipelineCompilationOptions::default(),
+                    buffers: &buffers[..pass.buffers],
+                },
+                primitive: pass.primitive,
+                depth_stencil: Some(self.target.depth_state(pass.write_depth)),
+                multisample: MultisampleState { alpha_to_coverage_enabled: pass.to_coverage, ..self.target.multisample_state() },
+                fragment: Some(FragmentState {
+                    module: &module,
+                    entry_point: Some(pass.fragment),
+                    compilation_options: PipelineCompilationOptions::default(),
+                    targets: &[Some(ColorTargetState { format: self.target.colour, blend: pass.blend, write_mask: ColorWrites::ALL })],
+                }),
+                multiview_mask: None,
+                cache: None,
+            })
         })
+    }
+
+    /// What all drawing pipelines are given.
+    pub(crate) fn layout(&self) -> &PipelineLayout {
+        &self.layout
     }
 
     fn module(&self, device: &Device, pass: &Pass<'_>, variant: Variant) -> ShaderModule {
@@ -254,6 +267,17 @@ struct Pass<'a> {
     to_coverage: bool,
 }
 
+/// The vertex buffers of shells: patch vertices, and which shell.
+pub(crate) fn shell_buffers<T>(with: impl FnOnce(&[Option<VertexBufferLayout<'_>>]) -> T) -> T {
+    let tile = vertex_attr_array![0 => Uint32, 1 => Float32x2, 2 => Uint32, 3 => Float32, 4 => Uint32];
+    let shell = vertex_attr_array![5 => Uint32];
+    let layout = |stride: usize, step_mode, attributes| Some(VertexBufferLayout { array_stride: stride as u64, step_mode, attributes });
+    with(&[
+        layout(size_of::<TileVertex>(), VertexStepMode::Vertex, &tile[..]),
+        layout(size_of::<u32>(), VertexStepMode::Instance, &shell[..]),
+    ])
+}
+
 pub(crate) fn entry(binding: u32, visibility: ShaderStages, ty: BindingType) -> BindGroupLayoutEntry {
     BindGroupLayoutEntry { binding, visibility, ty, count: None }
 }
@@ -270,9 +294,11 @@ pub(crate) fn texture(dimension: TextureViewDimension) -> BindingType {
     BindingType::Texture { sample_type: TextureSampleType::Float { filterable: true }, view_dimension: dimension, multisampled: false }
 }
 
-fn frame_entries() -> [BindGroupLayoutEntry; 9] {
+fn frame_entries() -> [BindGroupLayoutEntry; 13] {
     let both = ShaderStages::VERTEX_FRAGMENT;
     let sampler = BindingType::Sampler(SamplerBindingType::Filtering);
+    let depth =
+        BindingType::Texture { sample_type: TextureSampleType::Depth, view_dimension: TextureViewDimension::D2, multisampled: false };
     [
         entry(0, both, uniform()),
         entry(1, both, uniform()),
@@ -283,6 +309,10 @@ fn frame_entries() -> [BindGroupLayoutEntry; 9] {
         entry(6, ShaderStages::FRAGMENT, sampler),
         entry(7, both, texture(TextureViewDimension::D2Array)),
         entry(8, ShaderStages::FRAGMENT, texture(TextureViewDimension::D2Array)),
+        entry(9, ShaderStages::FRAGMENT, depth),
+        entry(10, ShaderStages::FRAGMENT, texture(TextureViewDimension::D2)),
+        entry(11, ShaderStages::FRAGMENT, texture(TextureViewDimension::D2)),
+        entry(12, ShaderStages::FRAGMENT, BindingType::Sampler(SamplerBindingType::Comparison)),
     ]
 }
 

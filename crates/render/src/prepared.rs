@@ -3,17 +3,16 @@
 use std::ops::Range;
 
 use pelage_lighting::{HairLighting, LightingTable, TableLayout};
-use wgpu::{
-    BindGroup, BindGroupDescriptor, BindGroupEntry, BindingResource, Buffer, BufferUsages, Device, Queue, RenderPass, Sampler, TextureView,
-};
+use wgpu::{CommandEncoder, ComputePass, Device, IndexFormat, Queue, RenderPass, RenderPipeline};
 
 use crate::blend::BlendedStack;
-use crate::buffers::room;
+use crate::frame_groups::{FrameBuffers, FrameGroups, GroupParts};
 use crate::furred_faces::last_run;
 use crate::pipelines::{PassPipelines, Variant};
 use crate::renderer::Shared;
-use crate::schedule::{MOST_SHELLS, Schedule, Shell};
+use crate::schedule::Schedule;
 use crate::selection::{Kind, Selection};
+use crate::shadow::{Casters, LightView, ShadowMap};
 use crate::textures::upload_table;
 use crate::uniforms::{FrameUniform, MOST_SEGMENTS};
 use crate::{GpuCoat, LightingMode, RenderError, View, Viewpoint};
@@ -21,19 +20,31 @@ use crate::{GpuCoat, LightingMode, RenderError, View, Viewpoint};
 /// A view of a coat, ready to be drawn, and to be moved to where the next frame is seen from.
 #[derive(Debug)]
 pub struct PreparedView {
-    buffers: Buffers,
-    /// With the coat's own images, and with blended ones.
-    bind_groups: [BindGroup; 2],
-    blended: BlendedStack,
+    buffers: FrameBuffers,
+    groups: FrameGroups,
+    /// What the bindings were made for.
+    made_for: Resources,
+    blended: Option<BlendedStack>,
+    shadows: Option<ShadowMap>,
+    light: LightView,
     pub(crate) fins: Selection,
     pub(crate) faces: Selection,
-    table: Option<(HairLighting, TableLayout)>,
-    anisotropy: u16,
     pipelines: PassPipelines,
+    casters: Option<Casters>,
     pub(crate) schedule: Schedule,
     /// For each run of faces, which of the drawn shells are drawn up to it.
     pub(crate) draws: Vec<Range<u32>>,
     pub(crate) shown: Shown,
+}
+
+/// What the bindings of a view depend on, beside its coat.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+struct Resources {
+    table: Option<(HairLighting, TableLayout)>,
+    anisotropy: u16,
+    shadow_side: Option<u32>,
+    /// Once there, it stays.
+    blended: bool,
 }
 
 /// Which passes there are.
@@ -46,13 +57,6 @@ pub(crate) struct Shown {
     pub(crate) fin_segments: u32,
 }
 
-#[derive(Debug)]
-struct Buffers {
-    frame: Buffer,
-    shells: Buffer,
-    drawn: Buffer,
-}
-
 impl PreparedView {
     pub(crate) fn new(
         device: &Device,
@@ -62,33 +66,25 @@ impl PreparedView {
         view: &View,
         viewpoint: &Viewpoint,
     ) -> Result<Self, RenderError> {
-        let schedule = Schedule::new(&coat.textures.levels, &view.options, viewpoint, coat.length * view.options.length_scale);
-        let uniform = FrameUniform::new(view, viewpoint, &schedule)?;
-        let buffers = Buffers {
-            frame: room(device, "frame", BufferUsages::UNIFORM, size_of_val(&uniform) as u64),
-            shells: room(device, "shells", BufferUsages::UNIFORM, (MOST_SHELLS * size_of::<Shell>()) as u64),
-            drawn: room(device, "drawn shells", BufferUsages::VERTEX, (MOST_SHELLS * size_of::<u32>()) as u64),
-        };
+        let buffers = FrameBuffers::new(device);
         let fins = Selection::new(device, queue, &shared.selectors, Kind::Fins, &buffers.frame, coat);
-        let faces = Selection::new(device, queue, &shared.selectors, Kind::Faces, &buffers.frame, coat);
-        let blended = BlendedStack::new(device, &shared.blender, &coat.textures);
-        let factors = factor_table(device, queue, shared, view)?;
-        let anisotropy = view.options.anisotropy.clamp(1, 16);
-        let group = |images: &TextureView| frame_group(device, shared, &buffers, &fins, &factors, anisotropy, images, coat);
+        let parts = GroupParts { factors: &shared.no_table, anisotropy: 1, blended: None, shadows: None };
         let mut prepared = Self {
-            bind_groups: [group(&coat.textures.shell_view), group(&blended.view)],
-            table: table_of(view),
-            anisotropy,
-            pipelines: shared.pipelines.get(device, Variant::new(&view.options, coat.traits, schedule.is_shared())),
+            groups: FrameGroups::new(device, shared, coat, &buffers, &fins.survivors, &parts),
+            made_for: Resources { anisotropy: 1, ..Resources::default() },
+            blended: None,
+            shadows: None,
+            light: LightView::new(coat, view),
+            faces: Selection::new(device, queue, &shared.selectors, Kind::Faces, &buffers.frame, coat),
+            pipelines: shared.pipelines.get(device, Variant::new(&view.options, coat.traits, false)),
+            casters: None,
+            schedule: Schedule::default(),
             draws: Vec::new(),
             shown: Shown::default(),
             buffers,
-            blended,
             fins,
-            faces,
-            schedule,
         };
-        prepared.write(queue, coat, view, &uniform);
+        prepared.update(device, queue, shared, coat, view, viewpoint)?;
         Ok(prepared)
     }
 
@@ -103,17 +99,57 @@ impl PreparedView {
         viewpoint: &Viewpoint,
     ) -> Result<(), RenderError> {
         let schedule = Schedule::new(&coat.textures.levels, &view.options, viewpoint, coat.length * view.options.length_scale);
-        let uniform = FrameUniform::new(view, viewpoint, &schedule)?;
-        let anisotropy = view.options.anisotropy.clamp(1, 16);
-        if (self.table, self.anisotropy) != (table_of(view), anisotropy) {
-            let factors = factor_table(device, queue, shared, view)?;
-            let group = |images: &TextureView| frame_group(device, shared, &self.buffers, &self.fins, &factors, anisotropy, images, coat);
-            self.bind_groups = [group(&coat.textures.shell_view), group(&self.blended.view)];
-            (self.table, self.anisotropy) = (table_of(view), anisotropy);
+        let light = LightView::new(coat, view);
+        let uniform = FrameUniform::new(view, viewpoint, &schedule, &light)?;
+        let resources = Resources {
+            table: table_of(view),
+            anisotropy: view.options.anisotropy.clamp(1, 16),
+            shadow_side: shadow_side(device, view)?,
+            blended: self.made_for.blended || !schedule.slots.is_empty(),
+        };
+        let same_shadows =
+            self.made_for.shadow_side == resources.shadow_side && self.light == light && self.schedule.shells == schedule.shells;
+        if self.made_for != resources {
+            self.make(device, queue, shared, coat, view, resources)?;
         }
         self.pipelines = shared.pipelines.get(device, Variant::new(&view.options, coat.traits, schedule.is_shared()));
-        self.schedule = schedule;
+        (self.schedule, self.light) = (schedule, light);
         self.write(queue, coat, view, &uniform);
+        if let Some(shadows) = self.shadows.as_mut().filter(|_| !same_shadows) {
+            shadows.set(queue, &self.schedule);
+        }
+        Ok(())
+    }
+
+    /// Makes what the view needs and has not got.
+    fn make(
+        &mut self,
+        device: &Device,
+        queue: &Queue,
+        shared: &Shared,
+        coat: &GpuCoat,
+        view: &View,
+        resources: Resources,
+    ) -> Result<(), RenderError> {
+        let factors = match view.options.lighting {
+            LightingMode::Table(layout) => upload_table(device, queue, &LightingTable::new(&view.shading.hair, layout)?),
+            LightingMode::PerPatch | LightingMode::PerVertex | LightingMode::Formula => shared.no_table.clone(),
+        };
+        if self.made_for.shadow_side != resources.shadow_side {
+            self.shadows = resources.shadow_side.map(|side| ShadowMap::new(device, side));
+            self.casters = self.shadows.as_ref().map(|_| shared.casters.get(device, &shared.pipelines, coat.traits));
+        }
+        if resources.blended && self.blended.is_none() {
+            self.blended = Some(BlendedStack::new(device, &shared.blender, &coat.textures));
+        }
+        let parts = GroupParts {
+            factors: &factors,
+            anisotropy: resources.anisotropy,
+            blended: self.blended.as_ref().map(|blended| &blended.view),
+            shadows: self.shadows.as_ref().map(|shadows| &shadows.targets),
+        };
+        self.groups = FrameGroups::new(device, shared, coat, &self.buffers, &self.fins.survivors, &parts);
+        self.made_for = resources;
         Ok(())
     }
 
@@ -132,8 +168,8 @@ impl PreparedView {
         queue.write_buffer(&self.buffers.frame, 0, bytemuck::bytes_of(uniform));
         queue.write_buffer(&self.buffers.shells, 0, bytemuck::cast_slice(&self.schedule.shells));
         queue.write_buffer(&self.buffers.drawn, 0, bytemuck::cast_slice(&self.schedule.drawn));
-        if !self.schedule.slots.is_empty() {
-            self.blended.set(queue, &self.schedule.slots);
+        if let Some(blended) = self.blended.as_ref().filter(|_| self.is_blended()) {
+            blended.set(queue, &self.schedule.slots);
         }
         queue.write_buffer(&self.fins.draws, 0, bytemuck::cast_slice(&[2 * (self.shown.fin_segments + 1), 0, 0, 0]));
         self.draws = draws(&self.schedule, coat);
@@ -142,15 +178,30 @@ impl PreparedView {
     }
 
     /// Records what is computed ahead of the drawing.
-    pub(crate) fn record(&self, pass: &mut wgpu::ComputePass<'_>, shared: &Shared) {
+    pub(crate) fn record(&self, pass: &mut ComputePass<'_>, shared: &Shared) {
         if self.shown.fins {
             self.fins.record(pass, &shared.selectors);
         }
         if self.shown.shells && self.shown.culling {
             self.faces.record(pass, &shared.selectors);
         }
-        if self.is_blended() {
-            self.blended.record(pass, &shared.blender, self.schedule.slots.len() as u32);
+        if let Some(blended) = self.blended.as_ref().filter(|_| self.is_blended()) {
+            blended.record(pass, &shared.blender, self.schedule.slots.len() as u32);
+        }
+    }
+
+    /// Records the shadow map, where it is stale.
+    pub(crate) fn record_shadows(&self, encoder: &mut CommandEncoder, coat: &GpuCoat) {
+        let (Some(shadows), Some(casters)) = (&self.shadows, &self.casters) else { return };
+        // Fur without length casts nothing.
+        let furry = coat.furred_face_count() > 0 && self.light.length > 0.0;
+        shadows.record(encoder, casters, self.groups.casting(self.is_blended()), coat, furry);
+    }
+
+    /// Has the shadow map drawn anew with the next frame: for a coat whose arrays have changed on the device, or to measure what it costs.
+    pub fn redraw_shadows(&self) {
+        if let Some(shadows) = &self.shadows {
+            shadows.redraw();
         }
     }
 
@@ -160,7 +211,7 @@ impl PreparedView {
         }
         self.begin(pass, coat, &self.pipelines.surface);
         pass.set_vertex_buffer(0, coat.tiles.slice(..));
-        pass.set_index_buffer(coat.faces.slice(..), wgpu::IndexFormat::Uint32);
+        pass.set_index_buffer(coat.faces.slice(..), IndexFormat::Uint32);
         pass.draw_indexed(0..coat.corner_count, 0, 0..1);
     }
 
@@ -179,7 +230,7 @@ impl PreparedView {
         self.begin(pass, coat, &self.pipelines.shells);
         pass.set_vertex_buffer(0, coat.tiles.slice(..));
         let faces = if self.shown.culling { &self.faces.survivors } else { &coat.furred_faces };
-        pass.set_index_buffer(faces.slice(..), wgpu::IndexFormat::Uint32);
+        pass.set_index_buffer(faces.slice(..), IndexFormat::Uint32);
         // The later the run, the lower its hair is cut: innermost shells first.
         for (run, range) in self.draws.iter().enumerate().rev().filter(|(_, range)| range.start < range.end) {
             pass.set_vertex_buffer(1, self.buffers.drawn.slice(4 * u64::from(range.start)..));
@@ -191,9 +242,9 @@ impl PreparedView {
         }
     }
 
-    fn begin(&self, pass: &mut RenderPass<'_>, coat: &GpuCoat, pipeline: &wgpu::RenderPipeline) {
+    fn begin(&self, pass: &mut RenderPass<'_>, coat: &GpuCoat, pipeline: &RenderPipeline) {
         pass.set_pipeline(pipeline);
-        pass.set_bind_group(0, &self.bind_groups[usize::from(self.is_blended())], &[]);
+        pass.set_bind_group(0, self.groups.drawing(self.is_blended()), &[]);
         pass.set_bind_group(1, &coat.bind_group, &[]);
     }
 
@@ -237,36 +288,14 @@ fn table_of(view: &View) -> Option<(HairLighting, TableLayout)> {
     }
 }
 
-fn factor_table(device: &Device, queue: &Queue, shared: &Shared, view: &View) -> Result<TextureView, RenderError> {
-    Ok(match table_of(view) {
-        Some((hair, layout)) => upload_table(device, queue, &LightingTable::new(&hair, layout)?),
-        None => shared.no_table.clone(),
-    })
-}
-
-#[expect(clippy::too_many_arguments, reason = "everything that a frame is drawn from comes together here")]
-fn frame_group(
-    device: &Device,
-    shared: &Shared,
-    buffers: &Buffers,
-    fins: &Selection,
-    factors: &TextureView,
-    anisotropy: u16,
-    images: &TextureView,
-    coat: &GpuCoat,
-) -> BindGroup {
-    let [tile, fin]: [Sampler; 2] = shared.hair_samplers(device, anisotropy);
-    let resources = [
-        buffers.frame.as_entire_binding(),
-        buffers.shells.as_entire_binding(),
-        fins.survivors.as_entire_binding(),
-        BindingResource::TextureView(factors),
-        BindingResource::Sampler(&shared.table_sampler),
-        BindingResource::Sampler(&tile),
-        BindingResource::Sampler(&fin),
-        BindingResource::TextureView(images),
-        BindingResource::TextureView(&coat.textures.directions),
-    ];
-    let entries = resources.into_iter().zip(0..).map(|(resource, binding)| BindGroupEntry { binding, resource }).collect::<Vec<_>>();
-    device.create_bind_group(&BindGroupDescriptor { label: Some("frame"), layout: &shared.pipelines.frame_layout, entries: &entries })
+fn shadow_side(device: &Device, view: &View) -> Result<Option<u32>, RenderError> {
+    let (most, side) = (device.limits().max_texture_dimension_2d, view.options.shadows.map(|shadows| shadows.side.max(16)));
+    match side.filter(|&side| side > most) {
+        Some(side) => Err(RenderError::Limit {
+            what: "texels along a side of the shadow map, so ask for a smaller one",
+            needed: side.into(),
+            limit: most.into(),
+        }),
+        None => Ok(side),
+    }
 }

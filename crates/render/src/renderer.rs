@@ -2,13 +2,14 @@
 
 use pelage_coat::{Coat, Encoding};
 use wgpu::{
-    AddressMode, CommandEncoder, ComputePassDescriptor, ComputePassTimestampWrites, Device, Features, FilterMode, MipmapFilterMode, Queue,
-    RenderPass, Sampler, SamplerDescriptor, TextureView,
+    AddressMode, CommandEncoder, CompareFunction, ComputePassDescriptor, ComputePassTimestampWrites, Device, Features, FilterMode,
+    MipmapFilterMode, Queue, RenderPass, Sampler, SamplerDescriptor, TextureView,
 };
 
 use crate::blend::Blender;
 use crate::pipelines::Pipelines;
 use crate::selection::Selectors;
+use crate::shadow::{CasterCache, ShadowTargets};
 use crate::textures::no_table;
 use crate::{GpuCoat, GpuTextures, PreparedView, RenderError, Target, View, Viewpoint, limits};
 
@@ -25,6 +26,10 @@ pub(crate) struct Shared {
     pub(crate) pipelines: Pipelines,
     pub(crate) selectors: Selectors,
     pub(crate) blender: Blender,
+    pub(crate) casters: CasterCache,
+    /// Bound where no shadows are asked for.
+    pub(crate) no_shadow: ShadowTargets,
+    pub(crate) shadow_sampler: Sampler,
     /// Bound where no table is asked for.
     pub(crate) no_table: TextureView,
     pub(crate) table_sampler: Sampler,
@@ -40,6 +45,15 @@ impl Renderer {
             pipelines: Pipelines::new(device, target),
             selectors: Selectors::new(device),
             blender: Blender::new(device),
+            casters: CasterCache::default(),
+            no_shadow: ShadowTargets::new(device, 1),
+            shadow_sampler: device.create_sampler(&SamplerDescriptor {
+                label: Some("shadow"),
+                mag_filter: FilterMode::Linear,
+                min_filter: FilterMode::Linear,
+                compare: Some(CompareFunction::LessEqual),
+                ..SamplerDescriptor::default()
+            }),
             no_table: no_table(device, queue),
             table_sampler: sampler(device, "table", AddressMode::ClampToEdge, AddressMode::ClampToEdge, 1),
         };
@@ -102,14 +116,23 @@ impl Renderer {
         prepared.update(device, queue, &self.shared, coat, view, viewpoint)
     }
 
-    /// Records what the device works out ahead of the pass that draws: which fins and which faces, blended levels of detail. Once a frame.
-    pub fn compute(&self, encoder: &mut CommandEncoder, view: &PreparedView) {
-        self.compute_timed(encoder, view, None);
+    /// Records what comes ahead of the pass that draws: which fins and which faces, blended levels of detail, the shadow map where it is stale. Once a frame.
+    pub fn compute(&self, encoder: &mut CommandEncoder, coat: &GpuCoat, view: &PreparedView) {
+        self.compute_timed(encoder, coat, view, None);
     }
 
-    pub(crate) fn compute_timed(&self, encoder: &mut CommandEncoder, view: &PreparedView, times: Option<ComputePassTimestampWrites<'_>>) {
-        let mut pass = encoder.begin_compute_pass(&ComputePassDescriptor { label: Some("pelage"), timestamp_writes: times });
-        view.record(&mut pass, &self.shared);
+    pub(crate) fn compute_timed(
+        &self,
+        encoder: &mut CommandEncoder,
+        coat: &GpuCoat,
+        view: &PreparedView,
+        times: Option<ComputePassTimestampWrites<'_>>,
+    ) {
+        {
+            let mut pass = encoder.begin_compute_pass(&ComputePassDescriptor { label: Some("pelage"), timestamp_writes: times });
+            view.record(&mut pass, &self.shared);
+        }
+        view.record_shadows(encoder, coat);
     }
 
     /// Records surface, fins and shells into a pass of this renderer's [`Target`], after [`Renderer::compute`].
@@ -154,7 +177,7 @@ fn check(device: &Device, coat: &Coat) -> Result<(), RenderError> {
     if !device.features().contains(Features::TEXTURE_COMPRESSION_BC) {
         return Err(RenderError::Encoding { what: "in blocks (BC3)", remedy: "leave it uncompressed" });
     }
-    if coat.shells.resolution() % 4 != 0 {
+    if !coat.shells.resolution().is_multiple_of(4) {
         return Err(RenderError::Encoding { what: "in blocks of 4 × 4 that do not fill it", remedy: "sample at least 4 × 4 texels" });
     }
     Ok(())

@@ -124,7 +124,7 @@ impl Schedule {
         let count = self.shells.len() as u32;
         let marched = options.march.layers.max(1);
         let asked = |k: &u32| options.layers.contains(k * stride);
-        self.drawn = (1..count).filter(asked).filter(|k| (count - 1 - k) % marched == 0).collect();
+        self.drawn = (1..count).filter(asked).filter(|k| (count - 1 - k).is_multiple_of(marched)).collect();
     }
 
     /// How many shells there are for a unit of height.

@@ -5,6 +5,7 @@ use glam::{DVec3, Vec3};
 use pelage_lighting::{Axis, DIFFUSIVITY};
 
 use crate::schedule::Schedule;
+use crate::shadow::{LightView, stride};
 use crate::{FinRule, LightingMode, RenderError, ShellDepth, View, Viewpoint};
 
 /// Fur comes in over this length, in diameters: one spacing of the paper's layers. Below it, opacity and shadow fade, so that bare skin and fur
@@ -32,11 +33,13 @@ pub(crate) struct FrameUniform {
     screen: [f32; 4],
     table: [f32; 4],
     fins: [f32; 4],
+    light_from_coat: [[f32; 4]; 4],
+    casting: [f32; 4],
 }
 
 impl FrameUniform {
     /// Packs a view; the schedule says which shells there are.
-    pub(crate) fn new(view: &View, viewpoint: &Viewpoint, schedule: &Schedule) -> Result<Self, RenderError> {
+    pub(crate) fn new(view: &View, viewpoint: &Viewpoint, schedule: &Schedule, light: &LightView) -> Result<Self, RenderError> {
         let (hair, shadow, facing) = (&view.shading.hair, &view.shading.self_shadow, &view.shading.facing);
         let (options, lights) = (&view.options, &view.lights.directional);
         if lights.len() > MOST_LIGHTS {
@@ -68,6 +71,8 @@ impl FrameUniform {
             ],
             table: table(options.lighting),
             fins: fins(view),
+            light_from_coat: light.light_from_coat.to_cols_array_2d(),
+            casting: [light.length, stride(schedule) as f32, light.bias, 0.0],
         };
         uniform.check()?;
         Ok(uniform)

@@ -218,7 +218,7 @@ fn embedded(models: &[Mat4]) -> usize {
         .collect();
     let mut encoder = device.create_command_encoder(&CommandEncoderDescriptor::default());
     for view in &prepared {
-        renderer.compute(&mut encoder, view);
+        renderer.compute(&mut encoder, &coat, view);
     }
     {
         let mut pass = encoder.begin_render_pass(&RenderPassDescriptor {

@@ -88,13 +88,14 @@ fn bench(headless: &Headless, coat: &Coat, view: &View, background: &Background,
 
     // As many rectangles as the default draws fragments.
     let default_view = &prepared[0].1;
-    let fragments =
-        stage.fragments(headless, &|encoder| renderer.compute(encoder, default_view), &|pass| renderer.draw(pass, &gpu_coat, default_view));
+    let fragments = stage.fragments(headless, &|encoder| renderer.compute(encoder, &gpu_coat, default_view), &|pass| {
+        renderer.draw(pass, &gpu_coat, default_view)
+    });
     let count = (fragments as f64 / f64::from(SIZE.0 * SIZE.1 * samples)).round().max(1.0) as u32;
     let full = FullScreen::new(device, queue, target, coat, count);
     let mut contenders: Vec<Contender<'_>> = Vec::new();
     for (name, view) in &prepared {
-        let compute = |encoder: &mut CommandEncoder| renderer.compute(encoder, view);
+        let compute = |encoder: &mut CommandEncoder| renderer.compute(encoder, &gpu_coat, view);
         contenders.push(contender(name, compute, |pass| renderer.draw(pass, &gpu_coat, view)));
     }
     for (name, floor) in &floors {

@@ -9,6 +9,10 @@
 @group(0) @binding(6) var fin_sampler: sampler;
 @group(0) @binding(7) var shell_images: texture_2d_array<f32>;
 @group(0) @binding(8) var hair_directions: texture_2d_array<f32>;
+@group(0) @binding(9) var shadow_skin: texture_depth_2d;
+@group(0) @binding(10) var shadow_fronts: texture_2d<f32>;
+@group(0) @binding(11) var shadow_slices: texture_2d<f32>;
+@group(0) @binding(12) var shadow_sampler: sampler_comparison;
 
 @group(1) @binding(0) var<storage, read> skin: array<vec4u>;   // position, normal
 @group(1) @binding(1) var<storage, read> fur: array<vec4u>;    // offset, hair direction

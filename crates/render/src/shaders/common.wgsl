@@ -20,6 +20,8 @@ struct Frame {
     screen: vec4f,        // half the width and height in pixels, most levels of blur between layers; steps of a march for each layer
     table: vec4f,         // (size − 1) / size, 0.5 / size, u by angle, v by angle
     fins: vec4f,          // rule, threshold, segments, opacity
+    light_from_coat: mat4x4f,  // the first light's view
+    casting: vec4f,       // the fur's length in that view's depth, shells that one that casts stands for, a bias in diameters
 };
 
 // A shell: mirrors schedule.rs.

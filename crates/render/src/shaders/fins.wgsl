@@ -6,6 +6,9 @@ struct FinVertex {
     @location(0) @interpolate(perspective, centroid) fin: vec4f,      // along the texture, height, growth, opacity
     @location(1) @interpolate(perspective, centroid) ambient: vec3f,  // the light without what dies away with depth, which is not linear along the hair
     @location(2) @interpolate(perspective, centroid) direct: vec4f,   // likewise, and the optical depth of the whole length towards the light
+#if SHADOW_MAP
+    @location(4) @interpolate(perspective, centroid) in_light: vec3f,
+#endif
 #if CUT
     @location(3) @interpolate(perspective, centroid) end: f32,
 #endif
@@ -30,6 +33,9 @@ fn fin_vertex(@builtin(vertex_index) corner: u32, @builtin(instance_index) fin: 
     out.fin = vec4f(along, height, growth_of(v.offset), bitcast<f32>(picked.y) * frame.fins.w);
     out.ambient = v.colour * frame.ambient.xyz * irradiance(v.normal);
     out.direct = vec4f(v.colour * (key + lights_from(1u, direction, v.normal, toward_eye, 0.5)), slanted_density(n_dot_l));
+#if SHADOW_MAP
+    out.in_light = place_in_light(place, v.normal, length(v.offset) * (1.0 - height));
+#endif
 #if CUT
     out.end = v.end;
 #endif
@@ -44,6 +50,10 @@ fn fin_fragment(in: FinVertex) -> @location(0) vec4f {
 #if CUT
     hair *= clamp(cut_of(in.end, in.fin.y), 0.0, 1.0);
 #endif
-    let light = in.ambient * floored(frame.shadow.w * depth) + in.direct.xyz * floored(in.direct.w * depth);
+    var direct = in.direct.xyz * floored(in.direct.w * depth);
+#if SHADOW_MAP
+    direct *= shadow_at(in.in_light);
+#endif
+    let light = in.ambient * floored(frame.shadow.w * depth) + direct;
     return vec4f(hair.rgb * light, hair.a);
 }

@@ -87,17 +87,12 @@ fn lights_from(first: u32, direction: vec3f, normal: vec3f, toward_eye: vec3f, d
     return sum;
 }
 
-// The light that a hair of albedo 1 sends from `position` to the eye.
-fn hair_light(position: vec3f, normal: vec3f, direction: vec3f, height: f32) -> vec3f {
-    let toward_eye = normalize(frame.eye.xyz - position);
-    return ambient_light(normal, 1.0 - height) + lights_from(0u, direction, normal, toward_eye, 1.0 - height);
-}
-
-// The light that bare skin of albedo 1 sends out.
-fn skin_light(normal: vec3f) -> vec3f {
+// The light that bare skin of albedo 1 sends out, where so much of the first light gets to.
+fn skin_light(normal: vec3f, shadow: f32) -> vec3f {
     var sum = vec3f(0.0);
     for (var i = 0u; i < light_count(); i++) {
-        sum += frame.lights[i].colour.xyz * clamp(dot(normal, frame.lights[i].direction.xyz), 0.0, 1.0);
+        let reach = clamp(dot(normal, frame.lights[i].direction.xyz), 0.0, 1.0) * select(1.0, shadow, i == 0u);
+        sum += frame.lights[i].colour.xyz * reach;
     }
     return frame.ambient.xyz * irradiance(normal) + frame.diffuse.xyz * sum;
 }

@@ -24,7 +24,7 @@ struct ShellVertex {
     @location(10) toward_light: vec3f,  // in tiles and heights
 #endif
 #if SHADOW_MAP
-    @location(11) in_light: vec4f,  // where on the shadow map, distance; 0 at the tips to 1 at the skin
+    @location(11) in_light: vec3f,  // where on the shadow map, distance
 #endif
 };
 
@@ -120,7 +120,7 @@ fn shell_vertex(
     out.toward_light = in_tile(toward_light, s, v.normal, along);
 #endif
 #if SHADOW_MAP
-    out.in_light = vec4f(place_in_light(place), depth);
+    out.in_light = place_in_light(place, v.normal, length(v.offset) * (1.0 - shell.height));
 #endif
     return out;
 }
@@ -128,12 +128,7 @@ fn shell_vertex(
 #if SPLIT
 // The first light: whole where it is lit at vertices, without the hair's response where that is for each pixel to say.
 fn first_light(v: Vertex, direction: vec3f, toward_eye: vec3f, depth: f32) -> vec3f {
-#if SHADOW_MAP
-    // The map knows how deep the light has come.
-    let light = frame.lights[0].colour.xyz * facing(dot(v.normal, frame.lights[0].direction.xyz));
-#else
     let light = direct_light(0u, v.normal, depth);
-#endif
 #if PIXEL
     return light;
 #else

@@ -6,6 +6,10 @@ struct SurfaceVertex {
     @location(1) light: vec3f,  // under the fur, lit at vertices: hardly any of it is seen
     @location(2) skin: vec3f,   // the skin's own colour, lit at pixels
     @location(3) normal: vec3f,
+#if SHADOW_MAP
+    @location(4) direct: vec3f,  // what of `light` is the first light's
+    @location(5) in_light: vec3f,
+#endif
 };
 
 @vertex
@@ -13,14 +17,33 @@ fn surface_vertex(@location(0) index: u32, @location(1) tile: vec2f) -> SurfaceV
     let v = vertex_at(index);
     // The skin's own colour is the mean of its layer: the last level of detail.
     let mean = textureSampleLevel(shell_images, tile_sampler, vec2f(0.5), shells[0].image, 16.0).rgb;
-    return SurfaceVertex(
-        frame.clip_from_coat * vec4f(v.position, 1.0), vec3f(tile, growth_of(v.offset)),
-        v.colour * hair_light(v.position, v.normal, v.direction, shells[0].light_height), v.colour * mean, v.normal);
+    let depth = 1.0 - shells[0].light_height;
+    let toward_eye = normalize(frame.eye.xyz - v.position);
+    var out: SurfaceVertex;
+    out.position = frame.clip_from_coat * vec4f(v.position, 1.0);
+    out.tile = vec3f(tile, growth_of(v.offset));
+    out.skin = v.colour * mean;
+    out.normal = v.normal;
+#if SHADOW_MAP
+    out.light = v.colour * (ambient_light(v.normal, depth) + lights_from(1u, v.direction, v.normal, toward_eye, depth));
+    out.direct = v.colour * hair_response(0u, v.direction, toward_eye) * direct_light(0u, v.normal, depth);
+    out.in_light = place_in_light(v.position, v.normal, length(v.offset));
+#else
+    out.light = v.colour * (ambient_light(v.normal, depth) + lights_from(0u, v.direction, v.normal, toward_eye, depth));
+#endif
+    return out;
 }
 
 @fragment
 fn surface_fragment(in: SurfaceVertex) -> @location(0) vec4f {
-    let under_fur = textureSample(shell_images, tile_sampler, in.tile.xy, shells[0].image).rgb * in.light;
-    let bare = in.skin * skin_light(normalize(in.normal));
+#if SHADOW_MAP
+    let shadow = shadow_at(in.in_light);
+    let light = in.light + in.direct * shadow;
+#else
+    let shadow = 1.0;
+    let light = in.light;
+#endif
+    let under_fur = textureSample(shell_images, tile_sampler, in.tile.xy, shells[0].image).rgb * light;
+    let bare = in.skin * skin_light(normalize(in.normal), shadow);
     return vec4f(mix(bare, under_fur, clamp(in.tile.z, 0.0, 1.0)), 1.0);
 }
