@@ -205,6 +205,9 @@ pub struct RenderImage {
     /// Whether faces that cannot be seen are left out (K18).
     #[param(default = true)]
     pub culling: bool,
+    /// Whether faces that the skin hides are left out, too.
+    #[param(default = false)]
+    pub hidden: bool,
     /// Multiplies the length of all fur.
     #[param(default = 1.0, range = 0.0..=100.0, unit = "ratio", effect = "0 is bald")]
     pub length_scale: f64,
@@ -293,6 +296,7 @@ impl RenderImage {
                 detail: Detail::from(&self.detail),
                 march: March { layers: self.march, steps: self.march_steps },
                 culling: self.culling,
+                hidden: self.hidden,
                 direction_map: self.direction_map,
                 hair_shadow: self.hair_shadow as f32,
                 shadows: self.shadows.then_some(ShadowOptions { side: self.shadow_size }),

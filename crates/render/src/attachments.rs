@@ -13,7 +13,7 @@ use crate::Target;
 pub(crate) struct Attachments {
     clear_depth: f32,
     colour: TextureView,
-    depth: TextureView,
+    pub(crate) depth: TextureView,
     resolved: Option<TextureView>,
     /// The one to read.
     pub(crate) pixels: Texture,
@@ -44,7 +44,7 @@ impl Attachments {
         };
         let view = |texture: &Texture| texture.create_view(&TextureViewDescriptor::default());
         let drawn = TextureUsages::RENDER_ATTACHMENT;
-        let depth = view(&texture("depth", target.depth, target.samples, drawn));
+        let depth = view(&texture("depth", target.depth, target.samples, drawn | TextureUsages::TEXTURE_BINDING));
         let pixels = texture("pixels", target.colour, 1, drawn | TextureUsages::COPY_SRC);
         let clear_depth = target.clear_depth();
         if target.samples == 1 {

@@ -10,7 +10,8 @@ use crate::background::BackgroundPass;
 use crate::counts::Counts;
 use crate::timing::PassTimer;
 use crate::{
-    FrameStats, FrameTimes, GpuCoat, Headless, Picture, PreparedView, RenderError, Renderer, Target, View, Viewpoint, limits, readback,
+    DepthBuffer, FrameStats, FrameTimes, GpuCoat, Headless, Picture, PreparedView, RenderError, Renderer, Target, View, Viewpoint, limits,
+    readback,
 };
 
 /// Frames before the clock runs: the first compiles shaders, the next fill caches.
@@ -91,12 +92,13 @@ impl Offscreen {
         let Some(attachments) = &self.attachments else {
             return Ok(Picture { width, height, rgba: Vec::new(), coverage: Vec::new(), frame: FrameStats::default() });
         };
-        let prepared = self.prepare(coat, view, background)?;
+        let mut prepared = self.prepare(coat, view, background)?;
         let device = self.headless.device();
         let stride = readback::row_stride(width);
         let buffer = readback::readable(device, u64::from(stride) * u64::from(height));
         let mut encoder = self.encoder();
-        self.encode(&mut encoder, attachments, coat, &prepared, self.timer.as_ref());
+        let plan = FramePlan { attachments, coat, hidden: view.options.hidden };
+        self.encode(&mut encoder, &plan, &mut prepared, self.timer.as_ref());
         let counts = Counts::record(device, &mut encoder, &prepared);
         readback::copy_pixels(&mut encoder, &attachments.pixels, &buffer);
         self.headless.queue().submit([encoder.finish()]);
@@ -119,12 +121,15 @@ impl Offscreen {
     /// Those of [`Offscreen::render`].
     pub fn time(&self, coat: &GpuCoat, view: &View, background: &Background, frames: u32) -> Result<FrameTimes, RenderError> {
         let Some(attachments) = &self.attachments else { return Ok(FrameTimes::default()) };
-        let prepared = self.prepare(coat, view, background)?;
+        let mut prepared = self.prepare(coat, view, background)?;
+        let plan = FramePlan { attachments, coat, hidden: view.options.hidden };
         let (device, queue) = (self.headless.device(), self.headless.queue());
-        let draw = |timer: Option<&PassTimer>| {
+        let mut draw = |timer: Option<&PassTimer>| {
             let start = Instant::now();
             let mut encoder = self.encoder();
-            self.encode(&mut encoder, attachments, coat, &prepared, timer);
+            // As if something had moved.
+            prepared.redraw_shadows();
+            self.encode(&mut encoder, &plan, &mut prepared, timer);
             queue.submit([encoder.finish()]);
             readback::wait(device)?;
             Ok::<f64, RenderError>(start.elapsed().as_secs_f64() * 1e3)
@@ -148,35 +153,42 @@ impl Offscreen {
         self.renderer.prepare(self.headless.device(), self.headless.queue(), coat, view, &viewpoint)
     }
 
-    /// What is computed ahead, then one drawing pass, or three of them if they are timed.
-    fn encode(
-        &self,
-        encoder: &mut CommandEncoder,
-        attachments: &Attachments,
-        coat: &GpuCoat,
-        view: &PreparedView,
-        timer: Option<&PassTimer>,
-    ) {
+    /// What is computed ahead, then one drawing pass, or three of them if they are timed or what is hidden is left out.
+    fn encode(&self, encoder: &mut CommandEncoder, plan: &FramePlan<'_>, view: &mut PreparedView, timer: Option<&PassTimer>) {
+        let (attachments, coat) = (plan.attachments, plan.coat);
         self.renderer.compute_timed(encoder, coat, view, timer.map(PassTimer::compute_writes));
-        let Some(timer) = timer else {
+        if timer.is_none() && !plan.hidden {
             let mut pass = attachments.pass(encoder, "frame", Place { first: true, last: true }, None);
             self.background.draw(&mut pass);
             self.renderer.draw(&mut pass, coat, view);
             return;
-        };
+        }
         {
-            let mut pass = attachments.pass(encoder, "surface", Place { first: true, last: false }, Some(timer.writes(0)));
+            let mut pass = attachments.pass(encoder, "surface", Place { first: true, last: false }, timer.map(|timer| timer.writes(0)));
             self.background.draw(&mut pass);
             self.renderer.draw_surface(&mut pass, coat, view);
         }
+        if plan.hidden {
+            let (device, queue) = (self.headless.device(), self.headless.queue());
+            self.renderer.find_hidden(device, queue, encoder, coat, view, DepthBuffer { view: &attachments.depth, size: self.size });
+        }
         {
-            let mut pass = attachments.pass(encoder, "fins", Place { first: false, last: false }, Some(timer.writes(1)));
+            let mut pass = attachments.pass(encoder, "fins", Place { first: false, last: false }, timer.map(|timer| timer.writes(1)));
             self.renderer.draw_fins(&mut pass, coat, view);
         }
         {
-            let mut pass = attachments.pass(encoder, "shells", Place { first: false, last: true }, Some(timer.writes(2)));
+            let mut pass = attachments.pass(encoder, "shells", Place { first: false, last: true }, timer.map(|timer| timer.writes(2)));
             self.renderer.draw_shells(&mut pass, coat, view);
         }
-        timer.resolve(encoder);
+        if let Some(timer) = timer {
+            timer.resolve(encoder);
+        }
     }
+}
+
+/// What a frame is drawn from, and into.
+struct FramePlan<'a> {
+    attachments: &'a Attachments,
+    coat: &'a GpuCoat,
+    hidden: bool,
 }

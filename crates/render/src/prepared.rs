@@ -3,19 +3,22 @@
 use std::ops::Range;
 
 use pelage_lighting::{HairLighting, LightingTable, TableLayout};
-use wgpu::{CommandEncoder, ComputePass, Device, IndexFormat, Queue, RenderPass, RenderPipeline};
+use wgpu::{
+    BindGroup, CommandEncoder, ComputePass, ComputePassDescriptor, Device, IndexFormat, Queue, RenderPass, RenderPipeline, TextureView,
+};
 
 use crate::blend::BlendedStack;
 use crate::frame_groups::{FrameBuffers, FrameGroups, GroupParts};
 use crate::furred_faces::last_run;
 use crate::pipelines::{PassPipelines, Variant};
+use crate::pyramid::Pyramid;
 use crate::renderer::Shared;
 use crate::schedule::Schedule;
 use crate::selection::{Kind, Selection};
 use crate::shadow::{Casters, LightView, ShadowMap};
 use crate::textures::upload_table;
 use crate::uniforms::{FrameUniform, MOST_SEGMENTS};
-use crate::{GpuCoat, LightingMode, RenderError, View, Viewpoint};
+use crate::{DepthBuffer, GpuCoat, LightingMode, RenderError, View, Viewpoint};
 
 /// A view of a coat, ready to be drawn, and to be moved to where the next frame is seen from.
 #[derive(Debug)]
@@ -29,12 +32,22 @@ pub struct PreparedView {
     light: LightView,
     pub(crate) fins: Selection,
     pub(crate) faces: Selection,
+    hidden: Option<Hidden>,
     pipelines: PassPipelines,
     casters: Option<Casters>,
     pub(crate) schedule: Schedule,
     /// For each run of faces, which of the drawn shells are drawn up to it.
     pub(crate) draws: Vec<Range<u32>>,
     pub(crate) shown: Shown,
+}
+
+/// What hides faces: the squares of the last depth buffer that was asked about.
+#[derive(Debug)]
+struct Hidden {
+    depth: TextureView,
+    size: (u32, u32),
+    pyramid: Pyramid,
+    scene: BindGroup,
 }
 
 /// What the bindings of a view depend on, beside its coat.
@@ -78,6 +91,7 @@ impl PreparedView {
             faces: Selection::new(device, queue, &shared.selectors, Kind::Faces, &buffers.frame, coat),
             pipelines: shared.pipelines.get(device, Variant::new(&view.options, coat.traits, false)),
             casters: None,
+            hidden: None,
             schedule: Schedule::default(),
             draws: Vec::new(),
             shown: Shown::default(),
@@ -187,6 +201,32 @@ impl PreparedView {
         }
         if let Some(blended) = self.blended.as_ref().filter(|_| self.is_blended()) {
             blended.record(pass, &shared.blender, self.schedule.slots.len() as u32);
+        }
+    }
+
+    /// Records the picking of faces anew, by what hides them.
+    pub(crate) fn record_hidden(
+        &mut self,
+        device: &Device,
+        queue: &Queue,
+        encoder: &mut CommandEncoder,
+        shared: &Shared,
+        coat: &GpuCoat,
+        depth: DepthBuffer<'_>,
+    ) {
+        let DepthBuffer { view, size } = depth;
+        if !(self.shown.shells && self.shown.culling) || size.0 == 0 || size.1 == 0 {
+            return;
+        }
+        if self.hidden.as_ref().is_none_or(|hidden| (&hidden.depth, hidden.size) != (view, size)) {
+            let pyramid = Pyramid::new(device, queue, &shared.pyramids, view, size);
+            let scene = Selection::scene_before(device, &shared.selectors, &self.buffers.frame, coat, &pyramid.furthest);
+            self.hidden = Some(Hidden { depth: view.clone(), size, pyramid, scene });
+        }
+        if let Some(hidden) = &self.hidden {
+            let mut pass = encoder.begin_compute_pass(&ComputePassDescriptor { label: Some("hidden faces"), timestamp_writes: None });
+            hidden.pyramid.record(&mut pass, &shared.pyramids);
+            self.faces.record_unhidden(&mut pass, &shared.selectors, &hidden.scene);
         }
     }
 

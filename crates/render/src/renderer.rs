@@ -8,10 +8,11 @@ use wgpu::{
 
 use crate::blend::Blender;
 use crate::pipelines::Pipelines;
+use crate::pyramid::PyramidBuilder;
 use crate::selection::Selectors;
 use crate::shadow::{CasterCache, ShadowTargets};
 use crate::textures::no_table;
-use crate::{GpuCoat, GpuTextures, PreparedView, RenderError, Target, View, Viewpoint, limits};
+use crate::{DepthBuffer, GpuCoat, GpuTextures, PreparedView, RenderError, Target, View, Viewpoint, limits};
 
 /// Pipelines for one kind of target.
 #[derive(Debug)]
@@ -25,6 +26,7 @@ pub struct Renderer {
 pub(crate) struct Shared {
     pub(crate) pipelines: Pipelines,
     pub(crate) selectors: Selectors,
+    pub(crate) pyramids: PyramidBuilder,
     pub(crate) blender: Blender,
     pub(crate) casters: CasterCache,
     /// Bound where no shadows are asked for.
@@ -43,7 +45,8 @@ impl Renderer {
     pub fn new(device: &Device, queue: &Queue, target: Target) -> Self {
         let shared = Shared {
             pipelines: Pipelines::new(device, target),
-            selectors: Selectors::new(device),
+            selectors: Selectors::new(device, target),
+            pyramids: PyramidBuilder::new(device, target),
             blender: Blender::new(device),
             casters: CasterCache::default(),
             no_shadow: ShadowTargets::new(device, 1),
@@ -133,6 +136,20 @@ impl Renderer {
             view.record(&mut pass, &self.shared);
         }
         view.record_shadows(encoder, coat);
+    }
+
+    /// Leaves out the shells of faces that what has been drawn so far hides (K18): between the pass that draws the surface and all else that is opaque, and the
+    /// one that draws fins and shells. It pays where much fur stands behind something; without it such fur costs its vertices and fails the depth test.
+    pub fn find_hidden(
+        &self,
+        device: &Device,
+        queue: &Queue,
+        encoder: &mut CommandEncoder,
+        coat: &GpuCoat,
+        view: &mut PreparedView,
+        depth: DepthBuffer<'_>,
+    ) {
+        view.record_hidden(device, queue, encoder, &self.shared, coat, depth);
     }
 
     /// Records surface, fins and shells into a pass of this renderer's [`Target`], after [`Renderer::compute`].

@@ -7,10 +7,11 @@ use wgpu::{
     ShaderModuleDescriptor, ShaderSource, ShaderStages,
 };
 
-use crate::GpuCoat;
 use crate::buffers::{array, room};
 use crate::pipelines::{entry, storage, uniform};
+use crate::pyramid::no_pyramid;
 use crate::shader::assemble;
+use crate::{GpuCoat, Target};
 
 /// Items that one group of the compute shaders looks at.
 const GROUP: u32 = 256;
@@ -33,7 +34,11 @@ pub(crate) struct Selectors {
     pack_layout: BindGroupLayout,
     sum: ComputePipeline,
     faces: [ComputePipeline; 2],
+    /// Picks faces by what hides them, too.
+    unhidden: ComputePipeline,
     fins: [ComputePipeline; 2],
+    /// Bound where nothing hides anything.
+    no_pyramid: Buffer,
 }
 
 #[repr(C)]
@@ -45,23 +50,27 @@ struct SelectionUniform {
 }
 
 impl Selectors {
-    pub(crate) fn new(device: &Device) -> Self {
+    pub(crate) fn new(device: &Device, target: Target) -> Self {
         let layout = |label, types: &[wgpu::BindingType]| {
             let entries: Vec<_> = types.iter().zip(0..).map(|(&ty, binding)| entry(binding, ShaderStages::COMPUTE, ty)).collect();
             device.create_bind_group_layout(&BindGroupLayoutDescriptor { label: Some(label), entries: &entries })
         };
         let (read, written) = (storage(true), storage(false));
-        let scene_layout = layout("scene of a selection", &[uniform(), read, read, read, read]);
+        let scene_layout = layout("scene of a selection", &[uniform(), read, read, read, read, read]);
         let pick_layout = layout("picking", &[written, written, read, uniform()]);
         let pack_layout = layout("packing", &[read, written, read, read, written, written, uniform()]);
         let shared = [include_str!("shaders/selection.wgsl"), include_str!("shaders/common.wgsl")];
-        let pick = |source| (assemble(&[shared[0], shared[1], source], &[]), "pick", vec![&scene_layout, &pick_layout]);
+        let pick = |source, flags: &[&str]| (assemble(&[shared[0], shared[1], source], flags), "pick", vec![&scene_layout, &pick_layout]);
+        let hidden: &[&str] = if target.reversed_depth { &["HIDDEN", "REVERSED"] } else { &["HIDDEN"] };
+        let faces = include_str!("shaders/select_faces.wgsl");
         let pack = |flags: &[&str], name| (assemble(&[shared[0], include_str!("shaders/select.wgsl")], flags), name, vec![&pack_layout]);
         let pipeline = |(source, name, layouts)| pipeline(device, source, name, layouts);
         Self {
             sum: pipeline(pack(&[], "sum_groups")),
-            faces: [pipeline(pick(include_str!("shaders/select_faces.wgsl"))), pipeline(pack(&["FACES"], "pack"))],
-            fins: [pipeline(pick(include_str!("shaders/select_fins.wgsl"))), pipeline(pack(&[], "pack"))],
+            faces: [pipeline(pick(faces, &[])), pipeline(pack(&["FACES"], "pack"))],
+            unhidden: pipeline(pick(faces, hidden)),
+            fins: [pipeline(pick(include_str!("shaders/select_fins.wgsl"), &[])), pipeline(pack(&[], "pack"))],
+            no_pyramid: no_pyramid(device),
             scene_layout,
             pick_layout,
             pack_layout,
@@ -115,7 +124,6 @@ impl Selection {
         let draws = room(device, "draws", readable | BufferUsages::INDIRECT, 20 * runs as u64);
         let number = SelectionUniform { items, groups, unused: [0; 2] };
         let number = array(device, queue, "selection", BufferUsages::UNIFORM, &[number]);
-        let last = if kind == Kind::Faces { &coat.tiles } else { &coat.edges };
         let bind = |label, layout, buffers: &[&Buffer]| {
             let entries: Vec<_> =
                 buffers.iter().zip(0..).map(|(buffer, binding)| BindGroupEntry { binding, resource: buffer.as_entire_binding() }).collect();
@@ -124,7 +132,7 @@ impl Selection {
         Self {
             kind,
             groups,
-            scene: bind("scene of a selection", &selectors.scene_layout, &[frame, &coat.skin, &coat.fur, &coat.looks, last]),
+            scene: scene(device, selectors, kind, frame, coat, &selectors.no_pyramid),
             pick: bind("picking", &selectors.pick_layout, &[&picked, &counts, &coat.furred_faces, &number]),
             pack: bind(
                 "packing",
@@ -138,12 +146,27 @@ impl Selection {
 
     /// Records the picking.
     pub(crate) fn record(&self, pass: &mut ComputePass<'_>, selectors: &Selectors) {
+        let [pick, _] = if self.kind == Kind::Faces { &selectors.faces } else { &selectors.fins };
+        self.record_with(pass, selectors, pick, &self.scene);
+    }
+
+    /// Records the picking of faces that nothing hides; `scene` is of [`Selection::scene_before`].
+    pub(crate) fn record_unhidden(&self, pass: &mut ComputePass<'_>, selectors: &Selectors, scene: &BindGroup) {
+        self.record_with(pass, selectors, &selectors.unhidden, scene);
+    }
+
+    /// What faces are picked from, behind what a pyramid shows.
+    pub(crate) fn scene_before(device: &Device, selectors: &Selectors, frame: &Buffer, coat: &GpuCoat, pyramid: &Buffer) -> BindGroup {
+        scene(device, selectors, Kind::Faces, frame, coat, pyramid)
+    }
+
+    fn record_with(&self, pass: &mut ComputePass<'_>, selectors: &Selectors, pick: &ComputePipeline, scene: &BindGroup) {
         if self.groups == 0 {
             return;
         }
-        let [pick, pack] = if self.kind == Kind::Faces { &selectors.faces } else { &selectors.fins };
+        let [_, pack] = if self.kind == Kind::Faces { &selectors.faces } else { &selectors.fins };
         pass.set_pipeline(pick);
-        pass.set_bind_group(0, &self.scene, &[]);
+        pass.set_bind_group(0, scene, &[]);
         pass.set_bind_group(1, &self.pick, &[]);
         pass.dispatch_workgroups(self.groups, 1, 1);
         pass.set_pipeline(&selectors.sum);
@@ -153,4 +176,12 @@ impl Selection {
         pass.set_bind_group(0, &self.pack, &[]);
         pass.dispatch_workgroups(self.groups, 1, 1);
     }
+}
+
+fn scene(device: &Device, selectors: &Selectors, kind: Kind, frame: &Buffer, coat: &GpuCoat, pyramid: &Buffer) -> BindGroup {
+    let last = if kind == Kind::Faces { &coat.tiles } else { &coat.edges };
+    let resources = [frame, &coat.skin, &coat.fur, &coat.looks, last, pyramid].map(Buffer::as_entire_binding);
+    let entries: Vec<_> = resources.into_iter().zip(0..).map(|(resource, binding)| BindGroupEntry { binding, resource }).collect();
+    let layout = &selectors.scene_layout;
+    device.create_bind_group(&BindGroupDescriptor { label: Some("scene of a selection"), layout, entries: &entries })
 }

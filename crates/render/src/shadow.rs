@@ -220,7 +220,7 @@ impl Casters {
         let blend = |operation| Some(BlendState { color: component(operation), alpha: component(operation) });
         let shells = |fragment, format, operation| {
             let target = ColorTargetState { format, blend: blend(operation), write_mask: ColorWrites::ALL };
-            pipeline(device, pipelines, &module, "shadow_shell_vertex", Some((fragment, target)))
+            pipeline(device, pipelines, &module, "shadow_shell_vertex", Some(&(fragment, target)))
         };
         Self {
             skin: pipeline(device, pipelines, &module, "shadow_skin_vertex", None),
@@ -235,9 +235,9 @@ fn pipeline(
     pipelines: &Pipelines,
     module: &wgpu::ShaderModule,
     vertex: &str,
-    fragment: Option<(&str, ColorTargetState)>,
+    fragment: Option<&(&str, ColorTargetState)>,
 ) -> RenderPipeline {
-    let targets = fragment.as_ref().map(|(_, target)| Some(target.clone()));
+    let targets = fragment.map(|(_, target)| Some(target.clone()));
     shell_buffers(|buffers| {
         device.create_render_pipeline(&RenderPipelineDescriptor {
             label: Some(vertex),
@@ -258,7 +258,7 @@ fn pipeline(
                 bias: wgpu::DepthBiasState::default(),
             }),
             multisample: wgpu::MultisampleState::default(),
-            fragment: fragment.as_ref().map(|(entry, _)| FragmentState {
+            fragment: fragment.map(|(entry, _)| FragmentState {
                 module,
                 entry_point: Some(entry),
                 compilation_options: PipelineCompilationOptions::default(),

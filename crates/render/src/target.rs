@@ -1,6 +1,6 @@
 //! What is drawn into.
 
-use wgpu::{CompareFunction, DepthStencilState, MultisampleState, TextureFormat};
+use wgpu::{CompareFunction, DepthStencilState, MultisampleState, TextureFormat, TextureView};
 
 /// The render pass that the pipelines are made for: a caller's, or [`crate::Offscreen`]'s.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -13,6 +13,15 @@ pub struct Target {
     pub reversed_depth: bool,
     /// Samples a pixel.
     pub samples: u32,
+}
+
+/// What has been drawn so far, to look for what hides fur.
+#[derive(Clone, Copy, Debug)]
+pub struct DepthBuffer<'a> {
+    /// The depth attachment; its texture is made with `TEXTURE_BINDING`.
+    pub view: &'a TextureView,
+    /// Width and height, in pixels.
+    pub size: (u32, u32),
 }
 
 impl Target {

@@ -195,6 +195,9 @@ pub struct Options {
     pub march: March,
     /// Whether faces that cannot be seen are left out (K18). No picture changes by it.
     pub culling: bool,
+    /// Whether [`crate::Offscreen`] also leaves out the shells of faces that the skin hides, which splits its pass in two; in passes of your own call
+    /// [`crate::Renderer::find_hidden`].
+    pub hidden: bool,
     /// Multiplies the length of all fur; 0 and up, 0 is bald.
     pub length_scale: f32,
     /// What shells do to the depth buffer.
@@ -227,6 +230,7 @@ impl Default for Options {
             detail: Detail::default(),
             march: March::default(),
             culling: true,
+            hidden: false,
             length_scale: 1.0,
             shell_depth: ShellDepth::default(),
             step_blur: 1.5,

@@ -7,6 +7,10 @@
 @group(0) @binding(3) var<storage, read> looks: array<vec4u>;
 @group(0) @binding(4) var<storage, read> tiles: array<u32>;  // patch vertices, six words each
 
+#if HIDDEN
+@group(0) @binding(5) var<storage, read> furthest: array<f32>;  // pyramid.wgsl: size, levels, then level by level
+#endif
+
 @group(1) @binding(0) var<storage, read_write> picked: array<u32>;  // per item: 0, or what is kept of it
 @group(1) @binding(1) var<storage, read_write> counts: array<u32>;  // per group: how many
 @group(1) @binding(2) var<storage, read> items: array<u32>;         // three corners each
@@ -90,6 +94,73 @@ fn shows_front(face: Face, ab: Column, ac: Column) -> bool {
     return greatest > -1e-6 * size;
 }
 
+#if HIDDEN
+// A column's control points, which hold it between them.
+fn control(c: Column) -> array<vec4f, 3> {
+    return array<vec4f, 3>(c.x, c.x + 0.5 * c.y, c.x + c.y + c.z);
+}
+
+// Whether all of it is behind what can be seen furthest in the squares that it takes on the screen. Where a corner is not before the eye, nobody knows.
+fn is_hidden(face: Face) -> bool {
+    var least = vec2f(1e30);
+    var most = vec2f(-1e30);
+#if REVERSED
+    var nearest = 0.0;
+#else
+    var nearest = 1.0;
+#endif
+    var columns = array<Column, 3>(face.a, face.b, face.c);
+    for (var i = 0u; i < 3u; i++) {
+        var points = control(columns[i]);
+        for (var j = 0u; j < 3u; j++) {
+            if points[j].w <= 1e-6 {
+                return false;
+            }
+            let place = points[j].xyz / points[j].w;
+            least = min(least, place.xy);
+            most = max(most, place.xy);
+#if REVERSED
+            nearest = max(nearest, place.z);
+#else
+            nearest = min(nearest, place.z);
+#endif
+        }
+    }
+    // Pixels, y down, and one more on each side for what rounding may move.
+    let pixels = 2.0 * frame.screen.xy;
+    let low = clamp(vec2f(least.x, -most.y) * frame.screen.xy + frame.screen.xy - 1.0, vec2f(0.0), pixels);
+    let high = clamp(vec2f(most.x, -least.y) * frame.screen.xy + frame.screen.xy + 1.0, vec2f(0.0), pixels);
+    // The level at which it takes two squares or so a side.
+    let squares = max(high.x - low.x, high.y - low.y) / 8.0;
+    var dimensions = vec2u(bitcast<u32>(furthest[0]), bitcast<u32>(furthest[1]));
+    let level = min(u32(ceil(max(log2(max(squares, 1.0)) - 1.0, 0.0))), bitcast<u32>(furthest[2]) - 1u);
+    var start = 4u;
+    for (var i = 0u; i < level; i++) {
+        start += dimensions.x * dimensions.y;
+        dimensions = (dimensions + 1u) / 2u;
+    }
+    let size = f32(8u << level);
+    let last = dimensions - 1u;
+    let first = min(vec2u(low / size), last);
+    let end = min(vec2u(high / size), last);
+    for (var y = first.y; y <= end.y; y++) {
+        for (var x = first.x; x <= end.x; x++) {
+            let seen = furthest[start + y * dimensions.x + x];
+#if REVERSED
+            if nearest * (1.0 + 1e-5) >= seen {
+                return false;
+            }
+#else
+            if nearest - 1e-6 <= seen {
+                return false;
+            }
+#endif
+        }
+    }
+    return true;
+}
+#endif
+
 fn minus(a: Vertex, b: Vertex) -> Column {
     return Column(
         frame.clip_from_coat * vec4f(a.position - b.position, 0.0),
@@ -102,7 +173,11 @@ fn face_is_seen(face: u32) -> bool {
     let b = vertex_at(tiles[6u * items[3u * face + 1u]]);
     let c = vertex_at(tiles[6u * items[3u * face + 2u]]);
     let columns = Face(column(a), column(b), column(c));
+#if HIDDEN
+    return in_view(columns) && shows_front(columns, minus(b, a), minus(c, a)) && !is_hidden(columns);
+#else
     return in_view(columns) && shows_front(columns, minus(b, a), minus(c, a));
+#endif
 }
 
 var<workgroup> count: atomic<u32>;

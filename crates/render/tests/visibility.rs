@@ -1,0 +1,141 @@
+//! Only what is seen is drawn (K18), and no picture changes by what is left out.
+
+mod support;
+
+use glam::Vec3;
+use pelage_coat::{Camera, Coat};
+use pelage_render::{Options, Picture, View};
+
+use support::samples::{Style, coat, light, shapes};
+use support::{SIZE, ball, hair, picture, view};
+
+/// The ball with hair that bends, and is cut ever shorter towards one side.
+fn bent_and_cut() -> Coat {
+    let mut bent = coat(&shapes::sphere(8, 4.0), Style { length: 0.08, slant: 0.9, ..Style::default() }, &hair(8));
+    let surface = &mut bent.surface;
+    for i in 0..surface.positions.len() {
+        surface.bends[i] = 0.3 * (surface.offsets[i] - surface.normals[i] * surface.offsets[i].length());
+        surface.ends[i] = (0.5 + 1.2 * surface.positions[i].x).clamp(0.0, 1.0);
+    }
+    bent
+}
+
+/// A small furry ball behind the other, to be hidden by it.
+fn one_behind_the_other() -> Coat {
+    let mut pair = ball();
+    let count = pair.surface.positions.len();
+    let moved: Vec<Vec3> = pair.surface.positions.iter().map(|&p| 0.3 * p - 2.0 * Vec3::Z).collect();
+    pair.surface.positions.extend(moved);
+    for array in [&mut pair.surface.normals, &mut pair.surface.offsets, &mut pair.surface.bends, &mut pair.surface.directions] {
+        array.extend_from_within(..);
+    }
+    pair.surface.colours.extend_from_within(..);
+    pair.surface.ends.extend_from_within(..);
+    let corners = pair.patches.vertices.len() as u32;
+    let vertices = pair.patches.vertices.clone();
+    pair.patches.vertices.extend(vertices.iter().map(|v| v + count as u32));
+    pair.patches.coordinates.extend_from_within(..);
+    let faces = pair.patches.faces.clone();
+    pair.patches.faces.extend(faces.iter().map(|face| face.map(|corner| corner + corners)));
+    let ends = pair.patches.patch_ends.clone();
+    pair.patches.patch_ends.extend(ends.iter().map(|end| end + faces.len() as u32));
+    pair
+}
+
+/// From before, from near, from within the fur, from the skin, and past the ball.
+fn cameras() -> Vec<Camera> {
+    let at = |eye: Vec3, target: Vec3, near: f32| Camera { eye, target, up: Vec3::Y, field_of_view: 0.9, near };
+    vec![
+        at(1.2 * Vec3::Z, Vec3::ZERO, 0.01),
+        at(Vec3::new(0.5, 0.3, 0.2), Vec3::ZERO, 0.01),
+        at(Vec3::new(0.0, 0.1, 0.305), Vec3::new(0.3, 0.4, 0.1), 1e-3),
+        at(0.289 * Vec3::Z, Vec3::new(0.2, 0.1, 0.5), 1e-4),
+        at(Vec3::new(0.9, 0.0, 0.4), Vec3::new(0.9, 0.1, -1.0), 0.01),
+        at(Vec3::ZERO, Vec3::X, 1e-3),
+    ]
+}
+
+fn seen(coat: &Coat, camera: Camera, options: Options) -> Picture {
+    picture(coat, &View { options, ..View::new(camera, light(Vec3::new(0.5, 0.8, 0.6))) })
+}
+
+#[test]
+fn what_is_left_out_changes_no_pixel() {
+    let mut bald_in_places = ball();
+    for (offset, position) in bald_in_places.surface.offsets.iter_mut().zip(&bald_in_places.surface.positions) {
+        if position.y > 0.1 {
+            *offset = Vec3::ZERO;
+        }
+    }
+    let everything = Options { culling: false, ..Options::default() };
+    let hidden = Options { hidden: true, ..Options::default() };
+    for (name, coat) in [("ball", ball()), ("bent", bent_and_cut()), ("bald", bald_in_places), ("pair", one_behind_the_other())] {
+        for (i, camera) in cameras().into_iter().enumerate() {
+            let all = seen(&coat, camera, everything);
+            for options in [Options::default(), hidden] {
+                let some = seen(&coat, camera, options);
+                assert!(some.rgba == all.rgba && some.coverage == all.coverage, "{name}, camera {i}, hidden {}", options.hidden);
+                assert!(some.frame.faces_drawn <= all.frame.faces_drawn);
+            }
+        }
+    }
+}
+
+#[test]
+fn the_far_side_and_what_is_out_of_view_are_left_out() {
+    let ball = ball();
+    let from = |eye: Vec3, target: Vec3| {
+        seen(&ball, Camera { eye, target, up: Vec3::Y, field_of_view: 0.6, near: 0.01 }, Options::default()).frame
+    };
+    let front = from(3.0 * Vec3::Z, Vec3::ZERO);
+    // Less than half of it is before the horizon; fur shows a little beyond.
+    assert!((0.4..0.6).contains(&(f64::from(front.faces_drawn) / f64::from(front.faces_furred))), "{front:?}");
+    assert!(front.patches_drawn < front.patches, "{front:?}");
+    let away = from(3.0 * Vec3::Z, 6.0 * Vec3::Z);
+    assert_eq!((away.faces_drawn, away.patches_drawn), (0, 0));
+    // The view's edge goes through the ball's middle.
+    let half = from(Vec3::new(0.0, 0.0, 3.0), Vec3::new(1.28, 0.0, 0.0));
+    assert!(half.faces_drawn < front.faces_drawn * 3 / 4, "{half:?}");
+}
+
+#[test]
+fn what_the_skin_hides_is_left_out() {
+    let pair = one_behind_the_other();
+    let camera = Camera { eye: 1.2 * Vec3::Z, target: Vec3::ZERO, up: Vec3::Y, field_of_view: 0.9, near: 0.01 };
+    let facing = seen(&pair, camera, Options::default()).frame;
+    let unhidden = seen(&pair, camera, Options { hidden: true, ..Options::default() }).frame;
+    let alone = seen(&ball(), camera, Options { hidden: true, ..Options::default() }).frame;
+    assert!(facing.faces_drawn > unhidden.faces_drawn, "{facing:?} {unhidden:?}");
+    assert_eq!(unhidden.faces_drawn, alone.faces_drawn, "all of the small ball is behind the large one");
+    assert!(alone.faces_drawn > alone.faces_furred / 3);
+}
+
+#[test]
+fn hair_that_is_cut_ends_its_shells_there() {
+    let mut cut = ball();
+    cut.surface.ends.fill(0.5);
+    let (whole, half) = (picture(&ball(), &view(Options::default())).frame, picture(&cut, &view(Options::default())).frame);
+    // Eight layers: at 1/7 … 4/7 there is hair, beyond it fades by a layer.
+    assert_eq!(whole.triangles - half.triangles, 3 * u64::from(whole.faces_drawn), "{whole:?} {half:?}");
+    // Where some is long, only that is drawn further up.
+    for (end, position) in cut.surface.ends.iter_mut().zip(&cut.surface.positions) {
+        if position.x > 0.0 {
+            *end = 1.0;
+        }
+    }
+    let mixed = picture(&cut, &view(Options::default())).frame.triangles;
+    assert!(half.triangles < mixed && mixed < whole.triangles);
+    cut.surface.ends.fill(0.0);
+    let bald = picture(&cut, &view(Options { fins: false, ..Options::default() }));
+    assert_eq!((bald.frame.faces_furred, bald.frame.faces_drawn), (0, 0));
+}
+
+#[test]
+fn the_same_faces_in_the_same_order_each_time() {
+    let (coat, camera) = (bent_and_cut(), cameras()[1]);
+    let first = seen(&coat, camera, Options::default());
+    for _ in 0..3 {
+        assert!(seen(&coat, camera, Options::default()).rgba == first.rgba);
+    }
+    assert_eq!(first.rgba.len() as u32, 4 * SIZE.0 * SIZE.1);
+}
