@@ -41,7 +41,7 @@ mod registry;
 mod shading;
 mod stats;
 
-pub use coat::LayFur;
+pub use coat::{LayFur, LengthsAs};
 pub use creature::{Animal, BodyPart, CreatureNode, PartFields, PartFur};
 pub use fields::{ColourRamp, DirectionConstraint, DirectionFieldNode, DirectionPoint, ImageField, PointFlow, ScalarRamp};
 pub use framing::{CameraNode, Framing};
