@@ -112,3 +112,13 @@ fn a_picture_that_is_none_is_said_with_its_path() {
     let error = lights_in(folder.path(), r#""last": Environment(path: "around.png")"#).unwrap_err().to_string();
     assert!(error.contains("around.png"), "{error}");
 }
+
+#[test]
+fn the_studio_lights_cool_from_above_warm_from_the_sun_and_little_from_below() {
+    let graphs = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../graphs");
+    let around = lights_in(&graphs, r#""last": Environment(path: "images/studio.png")"#).unwrap();
+    let sun = lights(r#""last": Light(azimuth: 60.0, elevation: 12.0)"#).directional[0].direction;
+    let [above, below, lit, away] = [Vec3::Y, Vec3::NEG_Y, sun, -sun].map(|normal| around.ambient.at(normal));
+    assert!(above.x > 3.0 * below.x && above.z > above.x, "{above} {below}");
+    assert!(lit.x > lit.z && lit.x > 1.5 * away.x, "{lit} {away}");
+}
