@@ -24,6 +24,13 @@ impl Failure {
         Self::Input(format!("{about}: {}", with_causes(error)))
     }
 
+    /// What is said.
+    pub(crate) fn message(&self) -> &str {
+        match self {
+            Self::Input(message) | Self::Usage(message) | Self::NoAdapter(message) => message,
+        }
+    }
+
     pub(crate) fn report(&self) -> ExitCode {
         let (message, code) = match self {
             Self::Input(message) => (message, 1),

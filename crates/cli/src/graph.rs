@@ -18,10 +18,15 @@ pub(crate) struct Overrides {
 impl Overrides {
     /// Reads a graph and applies the overrides.
     pub(crate) fn read(&self, path: &Path, registry: &Registry) -> Result<Graph, Failure> {
-        let mut graph = Graph::read(path).map_err(|error| match error {
+        let graph = Graph::read(path).map_err(|error| match error {
             ReadError::Faults(faults) => Failure::from(faults),
             other => Failure::Input(other.to_string()),
         })?;
+        self.apply(graph, path, registry)
+    }
+
+    /// The graph with the overrides; `path` is what messages call it.
+    pub(crate) fn apply(&self, mut graph: Graph, path: &Path, registry: &Registry) -> Result<Graph, Failure> {
         let here = std::env::current_dir().unwrap_or_else(|_| PathBuf::from("."));
         let mut faults = Vec::new();
         for assignment in &self.set {

@@ -10,6 +10,7 @@ mod nodes;
 mod output;
 mod progress;
 mod render;
+mod survey;
 
 use std::process::ExitCode;
 
@@ -33,6 +34,8 @@ enum Command {
     Nodes(nodes::Nodes),
     /// What is in a model: counts, genus, quality.
     Inspect(inspect::Inspect),
+    /// Table 1 of the paper: how fast each model of a folder is drawn, with half and with all layers.
+    Survey(survey::Survey),
 }
 
 fn main() -> ExitCode {
@@ -42,6 +45,7 @@ fn main() -> ExitCode {
         Command::Check(command) => command.run(),
         Command::Nodes(command) => command.run(),
         Command::Inspect(command) => command.run(),
+        Command::Survey(command) => command.run(),
     };
     match done {
         Ok(()) => ExitCode::SUCCESS,

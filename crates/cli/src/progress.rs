@@ -24,9 +24,14 @@ impl Progress {
         Self { bar, running: Mutex::default(), verbose }
     }
 
+    /// Takes the bar away.
+    pub(crate) fn clear(&self) {
+        self.bar.finish_and_clear();
+    }
+
     /// Takes the bar away; says what each node did if asked to.
     pub(crate) fn finish(&self, evaluation: &Evaluation) {
-        self.bar.finish_and_clear();
+        self.clear();
         if self.verbose {
             for entry in evaluation.trace() {
                 say(entry);

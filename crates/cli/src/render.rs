@@ -15,7 +15,7 @@ use crate::output::write_file;
 use crate::progress::Progress;
 
 /// What a run may keep in memory for nodes that share results.
-const CACHE_BYTES: usize = 1 << 30;
+pub(crate) const CACHE_BYTES: usize = 1 << 30;
 
 #[derive(Args)]
 pub(crate) struct Render {
@@ -137,7 +137,7 @@ impl Render {
 }
 
 /// Whether the node of an output draws, so that there is a frame to report on.
-fn makes_pictures(registry: &Registry, graph: &Graph, output: &str) -> bool {
+pub(crate) fn makes_pictures(registry: &Registry, graph: &Graph, output: &str) -> bool {
     let kind = graph.nodes.iter().find(|(id, _)| id.as_str() == node_of(output)).map(|(_, node)| node.kind.as_str());
     let specification = kind.and_then(|kind| registry.specification(kind));
     specification.is_some_and(|specification| specification.outputs.iter().any(|port| port.name == "frame"))
@@ -151,7 +151,7 @@ fn repairs_behind(graph: &CheckedGraph, output: &str) -> Vec<String> {
 }
 
 /// The node of a `NODE.PORT`.
-fn node_of(output: &str) -> &str {
+pub(crate) fn node_of(output: &str) -> &str {
     output.split_once('.').map_or(output, |(node, _)| node)
 }
 
@@ -169,7 +169,8 @@ fn png(picture: &Picture) -> Result<Vec<u8>, Failure> {
     Ok(bytes)
 }
 
-fn size(text: &str) -> Result<(u32, u32), String> {
+/// `WIDTHxHEIGHT`.
+pub(crate) fn size(text: &str) -> Result<(u32, u32), String> {
     let numbers = text.split_once('x').map(|(width, height)| (width.parse(), height.parse()));
     match numbers {
         Some((Ok(width), Ok(height))) => Ok((width, height)),

@@ -3,26 +3,24 @@
 use glam::DVec3;
 
 use crate::hair::within;
-use crate::{Facing, HairLighting, SelfShadow, half_vector};
+use crate::{Facing, HairLighting, Irradiance, SelfShadow, half_vector};
 
-/// A light at infinity and a hemisphere of light from all around.
+/// A light at infinity.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Illumination {
+pub struct DirectionalLight {
     /// *L*, the unit direction towards the light.
     pub direction: DVec3,
     /// The light's colour times its strength.
     pub colour: DVec3,
-    /// The colour times strength of the light from straight above (y up).
-    pub sky: DVec3,
-    /// The same from straight below.
-    pub ground: DVec3,
 }
 
-impl Illumination {
-    /// The light from all around that falls on a skin with unit `normal`: from ground to sky in proportion to the height it looks at.
-    pub fn hemisphere(&self, normal: DVec3) -> DVec3 {
-        self.ground.lerp(self.sky, within(0.5 + 0.5 * normal.y, 0.0, 1.0, 0.0))
-    }
+/// All the light there is.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Illumination {
+    /// Lights at infinity, any number; their light adds up.
+    pub lights: Vec<DirectionalLight>,
+    /// The light from all around.
+    pub ambient: Irradiance,
 }
 
 /// A place on a hair.
@@ -50,26 +48,35 @@ pub struct Shading {
 impl Shading {
     /// The light that a hair of albedo 1 sends to the eye; multiply by the hair's colour. `view` is *V*, the unit direction to the eye.
     ///
-    /// Shadow and facing act on the lit part only; the ambient part has the hemisphere and its own way down:
-    /// Ka · hemisphere(N) · sky(d) + (Kd (1 − u²)^(Pd/2) + Ks (1 − v²)^(Ps/2) · w) · shadow(d, N·L) · facing(N·L) · light.
+    /// Shadow and facing act on the lit part only; the ambient part has its own way down. The lit parts of all lights add up:
+    /// Ka · irradiance(N) · sky(d) + Σ (Kd (1 − u²)^(Pd/2) + Ks (1 − v²)^(Ps/2) · w) · shadow(d, N·L) · facing(N·L) · light.
     pub fn shade(&self, illumination: &Illumination, view: DVec3, hair: &HairPoint) -> DVec3 {
-        let half = half_vector(illumination.direction, view);
-        let diffuse = self.hair.diffuse_factor(hair.direction.dot(illumination.direction));
-        let specular = self.hair.specular_factor(hair.direction.dot(half.direction)) * half.weight;
-        self.shade_with(illumination, hair, diffuse, specular)
+        self.shade_with(illumination, hair, |light| {
+            let half = half_vector(light.direction, view);
+            let diffuse = self.hair.diffuse_factor(hair.direction.dot(light.direction));
+            (diffuse, self.hair.specular_factor(hair.direction.dot(half.direction)) * half.weight)
+        })
     }
 
-    /// As [`Shading::shade`], with the two factors looked up elsewhere, in a [`crate::LightingTable`] say.
-    pub fn shade_with(&self, illumination: &Illumination, hair: &HairPoint, diffuse: f64, specular: f64) -> DVec3 {
-        let (depth, n_dot_l) = (1.0 - hair.height, hair.normal.dot(illumination.direction));
-        let ambient = self.hair.ambient * illumination.hemisphere(hair.normal) * self.self_shadow.sky_transmittance(depth);
-        let reach = self.self_shadow.transmittance(depth, n_dot_l) * self.facing.factor(n_dot_l);
-        ambient + (self.hair.diffuse * diffuse + self.hair.specular * specular) * illumination.colour * reach
+    /// As [`Shading::shade`], with the diffuse and the specular factor of each light looked up elsewhere, in a [`crate::LightingTable`] say; the weight *w* is
+    /// part of the specular one.
+    pub fn shade_with(&self, illumination: &Illumination, hair: &HairPoint, factors: impl Fn(&DirectionalLight) -> (f64, f64)) -> DVec3 {
+        let depth = 1.0 - hair.height;
+        let ambient = self.hair.ambient * illumination.ambient.at(hair.normal) * self.self_shadow.sky_transmittance(depth);
+        illumination.lights.iter().fold(ambient, |sum, light| {
+            let (diffuse, specular) = factors(light);
+            let n_dot_l = hair.normal.dot(light.direction);
+            let reach = self.self_shadow.transmittance(depth, n_dot_l) * self.facing.factor(n_dot_l);
+            sum + (self.hair.diffuse * diffuse + self.hair.specular * specular) * light.colour * reach
+        })
     }
 
-    /// The light that bare skin of albedo 1 sends out: Ka · hemisphere(N) + Kd · max(N·L, 0) · light.
+    /// The light that bare skin of albedo 1 sends out: Ka · irradiance(N) + Σ Kd · max(N·L, 0) · light.
     pub fn skin(&self, illumination: &Illumination, normal: DVec3) -> DVec3 {
-        let n_dot_l = within(normal.dot(illumination.direction), 0.0, 1.0, 0.0);
-        self.hair.ambient * illumination.hemisphere(normal) + self.hair.diffuse * illumination.colour * n_dot_l
+        let ambient = self.hair.ambient * illumination.ambient.at(normal);
+        illumination.lights.iter().fold(ambient, |sum, light| {
+            let n_dot_l = within(normal.dot(light.direction), 0.0, 1.0, 0.0);
+            sum + self.hair.diffuse * light.colour * n_dot_l
+        })
     }
 }

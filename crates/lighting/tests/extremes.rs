@@ -3,7 +3,15 @@
 #![allow(clippy::expect_used, reason = "a test may panic")]
 
 use glam::DVec3;
-use pelage_lighting::{Axis, Facing, HairLighting, HairPoint, Illumination, LightingTable, SelfShadow, Shading, TableLayout, half_vector};
+use pelage_lighting::{
+    Axis, DirectionalLight, Facing, HairLighting, HairPoint, Illumination, Irradiance, LightingTable, SelfShadow, Shading, TableLayout,
+    half_vector,
+};
+
+fn white(direction: DVec3) -> Illumination {
+    let light = DirectionalLight { direction, colour: DVec3::ONE };
+    Illumination { lights: vec![light], ambient: Irradiance::hemisphere(DVec3::ONE, DVec3::splat(0.5)) }
+}
 
 fn powers(diffuse_power: f64, specular_power: f64) -> HairLighting {
     HairLighting { diffuse_power, specular_power, ..HairLighting::default() }
@@ -61,17 +69,17 @@ fn hair_lighting_of_no_number_is_finite() {
     assert!(powers(f64::NAN, f64::NAN).evaluate(0.3, 0.3).is_finite());
     let half = half_vector(nan, DVec3::Y);
     assert!(half.weight == 0.0 && half.direction == DVec3::ZERO);
-    let light = Illumination { direction: DVec3::Y, colour: DVec3::ONE, sky: DVec3::ONE, ground: DVec3::ONE };
+    let light = white(DVec3::Y);
     let point = HairPoint { direction: DVec3::X, normal: DVec3::Y, height: 0.5 };
     let lost = SelfShadow { density: f64::NAN, minimum: f64::NAN, grazing: f64::NAN };
     let facing = Facing { strength: f64::NAN, dark_below: f64::NAN, full_above: f64::NAN };
     for shading in [Shading::default(), Shading { self_shadow: lost, facing, ..Shading::default() }] {
         for (light, view, point) in [
-            (Illumination { direction: nan, ..light }, DVec3::Y, point),
-            (light, nan, point),
-            (light, DVec3::Y, HairPoint { direction: nan, ..point }),
-            (light, DVec3::Y, HairPoint { normal: nan, ..point }),
-            (light, DVec3::Y, HairPoint { height: f64::NAN, ..point }),
+            (white(nan), DVec3::Y, point),
+            (light.clone(), nan, point),
+            (light.clone(), DVec3::Y, HairPoint { direction: nan, ..point }),
+            (light.clone(), DVec3::Y, HairPoint { normal: nan, ..point }),
+            (light.clone(), DVec3::Y, HairPoint { height: f64::NAN, ..point }),
         ] {
             let shade = shading.shade(&light, view, &point);
             assert!(shade.is_finite() && shade.cmpge(DVec3::ZERO).all(), "{light:?} {view} {point:?}: {shade}");
@@ -86,7 +94,7 @@ fn hair_lighting_fades_the_highlight_where_light_and_eye_oppose() {
         hair: HairLighting { ambient: DVec3::ZERO, diffuse: DVec3::ZERO, specular: DVec3::ONE, ..powers(1.0, 0.0) },
         ..Shading::default()
     };
-    let light = Illumination { direction: DVec3::Y, colour: DVec3::ONE, sky: DVec3::ONE, ground: DVec3::ONE };
+    let light = white(DVec3::Y);
     let point = HairPoint { direction: DVec3::X, normal: DVec3::Y, height: 1.0 };
     let seen = |gap: f64| shading.shade(&light, DVec3::new(gap, -1.0, 0.0).normalize(), &point).x;
     assert_eq!(seen(0.0), 0.0);

@@ -1,16 +1,19 @@
 //! Self-shadow, facing and the whole formula.
 
 use glam::DVec3;
-use pelage_lighting::{DIFFUSIVITY, Facing, HairPoint, Illumination, SelfShadow, Shading};
+use pelage_lighting::{DIFFUSIVITY, DirectionalLight, Facing, HairPoint, Illumination, Irradiance, SelfShadow, Shading, half_vector};
 use proptest::prelude::*;
 
+const SKY: DVec3 = DVec3::new(0.3, 0.4, 0.5);
+const GROUND: DVec3 = DVec3::new(0.2, 0.1, 0.1);
+const SUN: DirectionalLight = DirectionalLight { direction: DVec3::new(0.6, 0.8, 0.0), colour: DVec3::new(1.0, 0.9, 0.8) };
+
 fn sun() -> Illumination {
-    Illumination {
-        direction: DVec3::new(0.6, 0.8, 0.0),
-        colour: DVec3::new(1.0, 0.9, 0.8),
-        sky: DVec3::new(0.3, 0.4, 0.5),
-        ground: DVec3::new(0.2, 0.1, 0.1),
-    }
+    Illumination { lights: vec![SUN], ambient: Irradiance::hemisphere(SKY, GROUND) }
+}
+
+fn unit(x: f64, y: f64) -> DVec3 {
+    DVec3::new(x.cos() * y.cos(), x.sin() * y.cos(), y.sin())
 }
 
 #[test]
@@ -62,11 +65,11 @@ fn facing_is_goldmans() {
 #[test]
 fn the_side_away_is_darker() {
     let shading = Shading::default();
-    let (sun, view) = (sun(), DVec3::Z);
+    let view = DVec3::Z;
     let point = |normal| HairPoint { direction: DVec3::Z, normal, height: 1.0 };
-    let flat = Illumination { sky: DVec3::splat(0.3), ground: DVec3::splat(0.3), ..sun };
-    let lit = shading.shade(&flat, view, &point(sun.direction));
-    let away = shading.shade(&flat, view, &point(-sun.direction));
+    let flat = Illumination { ambient: Irradiance::hemisphere(DVec3::splat(0.3), DVec3::splat(0.3)), ..sun() };
+    let lit = shading.shade(&flat, view, &point(SUN.direction));
+    let away = shading.shade(&flat, view, &point(-SUN.direction));
     assert!(lit.cmpgt(2.0 * away).all(), "{lit} {away}");
 }
 
@@ -74,9 +77,9 @@ fn the_side_away_is_darker() {
 fn shadow_and_facing_leave_the_ambient_alone() {
     let mut shading = Shading::default();
     shading.self_shadow.density = 0.0;
-    let dark = Illumination { colour: DVec3::ZERO, ..sun() };
-    let point = HairPoint { direction: DVec3::X, normal: -sun().direction, height: 0.0 };
-    assert_eq!(shading.shade(&dark, DVec3::Z, &point), shading.hair.ambient * dark.hemisphere(point.normal));
+    let dark = Illumination { lights: vec![DirectionalLight { colour: DVec3::ZERO, ..SUN }], ..sun() };
+    let point = HairPoint { direction: DVec3::X, normal: -SUN.direction, height: 0.0 };
+    assert_eq!(shading.shade(&dark, DVec3::Z, &point), shading.hair.ambient * dark.ambient.at(point.normal));
 }
 
 #[test]
@@ -86,10 +89,11 @@ fn without_shadow_and_facing_it_is_the_papers_formula() {
         facing: Facing { strength: 0.0, ..Facing::default() },
         ..Shading::default()
     };
-    let white = Illumination { colour: DVec3::ONE, sky: DVec3::ONE, ground: DVec3::ONE, ..sun() };
+    let light = DirectionalLight { colour: DVec3::ONE, ..SUN };
+    let white = Illumination { lights: vec![light], ambient: Irradiance::hemisphere(DVec3::ONE, DVec3::ONE) };
     let (view, t) = (DVec3::new(0.0, 0.6, 0.8), DVec3::new(0.48, 0.6, 0.64));
-    let half = (view + white.direction).normalize();
-    let expected = shading.hair.evaluate(t.dot(white.direction), t.dot(half));
+    let half = (view + light.direction).normalize();
+    let expected = shading.hair.evaluate(t.dot(light.direction), t.dot(half));
     let shade = shading.shade(&white, view, &HairPoint { direction: t, normal: DVec3::Y, height: 0.3 });
     assert!((shade - expected).abs().max_element() < 1e-15);
 }
@@ -97,9 +101,19 @@ fn without_shadow_and_facing_it_is_the_papers_formula() {
 #[test]
 fn skin_is_a_plain_diffuse() {
     let (shading, sun) = (Shading::default(), sun());
-    let expected = shading.hair.ambient * sun.hemisphere(DVec3::Y) + shading.hair.diffuse * sun.colour * 0.8;
+    let expected = shading.hair.ambient * SKY + shading.hair.diffuse * SUN.colour * 0.8;
     assert!((shading.skin(&sun, DVec3::Y) - expected).abs().max_element() < 1e-15);
-    assert_eq!(shading.skin(&sun, -DVec3::Y), shading.hair.ambient * sun.ground);
+    assert!((shading.skin(&sun, -DVec3::Y) - shading.hair.ambient * GROUND).abs().max_element() < 1e-15);
+}
+
+/// The formula for one light over a sky and a ground, written out.
+fn one_light(shading: &Shading, light: &DirectionalLight, view: DVec3, hair: &HairPoint) -> DVec3 {
+    let half = half_vector(light.direction, view);
+    let (depth, n_dot_l) = (1.0 - hair.height, hair.normal.dot(light.direction));
+    let ambient = shading.hair.ambient * GROUND.lerp(SKY, 0.5 + 0.5 * hair.normal.y) * shading.self_shadow.sky_transmittance(depth);
+    let diffuse = shading.hair.diffuse * shading.hair.diffuse_factor(hair.direction.dot(light.direction));
+    let specular = shading.hair.specular * shading.hair.specular_factor(hair.direction.dot(half.direction)) * half.weight;
+    ambient + (diffuse + specular) * light.colour * shading.self_shadow.transmittance(depth, n_dot_l) * shading.facing.factor(n_dot_l)
 }
 
 proptest! {
@@ -113,11 +127,27 @@ proptest! {
 
     #[test]
     fn light_is_finite_and_not_negative(a in -4.0..4.0_f64, b in -4.0..4.0_f64, c in -4.0..4.0_f64, height in -1.0..2.0_f64) {
-        let unit = |x: f64, y: f64| DVec3::new(x.cos() * y.cos(), x.sin() * y.cos(), y.sin());
         let point = HairPoint { direction: unit(a, b), normal: unit(b, c), height };
         let light = Shading::default().shade(&sun(), unit(c, a), &point);
         prop_assert!(light.is_finite() && light.cmpge(DVec3::ZERO).all());
         let turned = HairPoint { direction: -point.direction, ..point };
         prop_assert_eq!(Shading::default().shade(&sun(), unit(c, a), &turned), light);
+    }
+
+    #[test]
+    fn one_light_is_the_formula_written_out_and_two_add_up(a in -4.0..4.0_f64, b in -4.0..4.0_f64, c in -4.0..4.0_f64, height in 0.0..1.0_f64) {
+        let (shading, view) = (Shading::default(), unit(c, a));
+        let point = HairPoint { direction: unit(a, b), normal: unit(b, c), height };
+        let rim = DirectionalLight { direction: unit(a, c), colour: DVec3::new(0.2, 0.5, 1.5) };
+        let one = |light: DirectionalLight| Illumination { lights: vec![light], ..sun() };
+        let apart = |x: DVec3, y: DVec3| (x - y).abs().max_element();
+        for light in [SUN, rim] {
+            prop_assert!(apart(shading.shade(&one(light), view, &point), one_light(&shading, &light, view, &point)) < 2e-15);
+        }
+        // Both together are each alone, less the light from all around that was counted twice.
+        let (none, both) = (Illumination { lights: Vec::new(), ..sun() }, Illumination { lights: vec![SUN, rim], ..sun() });
+        let added = |of: &dyn Fn(&Illumination) -> DVec3| apart(of(&one(SUN)) + of(&one(rim)) - of(&none), of(&both));
+        prop_assert!(added(&|light| shading.shade(light, view, &point)) < 2e-15);
+        prop_assert!(added(&|light| shading.skin(light, point.normal)) < 2e-15);
     }
 }

@@ -32,6 +32,7 @@ mod creature;
 mod fields;
 mod framing;
 mod hair;
+mod light;
 mod models;
 mod patches;
 #[cfg(feature = "gpu")]
@@ -40,11 +41,12 @@ mod registry;
 mod shading;
 mod stats;
 
-pub use coat::LayFur;
+pub use coat::{LayFur, LengthsAs};
 pub use creature::{Animal, BodyPart, CreatureNode, PartFields, PartFur};
 pub use fields::{ColourRamp, DirectionConstraint, DirectionFieldNode, DirectionPoint, ImageField, PointFlow, ScalarRamp};
 pub use framing::{CameraNode, Framing};
 pub use hair::{FinDirection, GrowStrands, HairStyle, HairUndercoat, SampleFin, SampleShells};
+pub use light::{EnvironmentNode, LightNode, MOST_LIGHTS};
 pub use models::{ObjFile, Plane, RoundedDie, Sphere, Torus};
 pub use patches::GrowPatches;
 #[cfg(feature = "gpu")]
@@ -52,5 +54,5 @@ pub use pelage_render::{Picture, RenderError};
 #[cfg(feature = "gpu")]
 pub use picture::{DepthMode, FrameReport, Gpu, LightingAt, RenderImage, TableAxis};
 pub use registry::{evaluator, registry};
-pub use shading::{HairLightingNode, LightNode};
+pub use shading::HairLightingNode;
 pub use stats::{Stats, repair_counts};

@@ -46,6 +46,7 @@ pub fn registry() -> Registry {
         .node::<crate::LayFur>()
         .node::<crate::HairLightingNode>()
         .node::<crate::LightNode>()
+        .node::<crate::EnvironmentNode>()
         .node::<crate::CameraNode>();
     with_drawing(registry)
 }

@@ -1,47 +1,12 @@
-//! Light, and what hair makes of it.
+//! What hair makes of light.
 
 use glam::{DVec3, Vec3};
-use pelage_coat::{Irradiance, Light, Lights};
 use pelage_graph::{Colour, Context, Evaluate, Node, NodeError};
 use pelage_lighting::{Facing, HairLighting, SelfShadow, Shading};
 
 /// A picked colour in linear light.
 pub(crate) fn linear(colour: Colour) -> Vec3 {
     DVec3::from(colour.to_linear()).as_vec3()
-}
-
-/// A light at infinity and the light from all around.
-#[derive(Node)]
-#[node(category = "Picture", version = 1, name = "Light")]
-#[output(light: Lights, "The light.")]
-pub struct LightNode {
-    /// Where it comes from, around the vertical axis, anticlockwise seen from above; 0 is the side a camera of azimuth 0 stands on.
-    #[param(default = 40.0, range = -360.0..=360.0, unit = "degrees", effect = "none on cost")]
-    pub azimuth: f64,
-    /// Above the horizon.
-    #[param(default = 45.0, range = -90.0..=90.0, unit = "degrees", effect = "none on cost")]
-    pub elevation: f64,
-    /// Its colour.
-    #[param(default = Colour([1.0, 0.96, 0.9]))]
-    pub colour: Colour,
-    /// How bright it is.
-    #[param(default = 2.2, range = 0.0..=100.0, unit = "times white", effect = "brighter; past white it clips")]
-    pub strength: f64,
-    /// The light from above.
-    #[param(default = Colour([0.62, 0.68, 0.78]))]
-    pub sky: Colour,
-    /// The light from below.
-    #[param(default = Colour([0.45, 0.4, 0.36]))]
-    pub ground: Colour,
-}
-
-impl Evaluate for LightNode {
-    fn evaluate(&self, _: &mut Context<'_>) -> Result<Self::Outputs, NodeError> {
-        let (azimuth, elevation) = (self.azimuth.to_radians(), self.elevation.to_radians());
-        let direction = DVec3::new(elevation.cos() * azimuth.sin(), elevation.sin(), elevation.cos() * azimuth.cos());
-        let sun = Light { direction: direction.as_vec3().normalize_or(Vec3::Y), colour: linear(self.colour) * self.strength as f32 };
-        Ok(Lights { directional: vec![sun], ambient: Irradiance::hemisphere(linear(self.sky), linear(self.ground)) }.into())
-    }
 }
 
 /// Hair lighting after Kajiya and Kay, Banks, and Lengyel et al.: Ka + Kd (1 − u²)^(Pd/2) + Ks (1 − v²)^(Ps/2) (L13).

@@ -43,6 +43,12 @@ impl Stats {
         self.0.insert(key.into(), value);
     }
 
+    /// A figure by its JSON pointer, `/frame/ms_median` say; none where it does not apply.
+    pub fn figure(&self, pointer: &str) -> Option<&Value> {
+        let (key, rest) = pointer.strip_prefix('/').map(|path| path.split_at(path.find('/').unwrap_or(path.len())))?;
+        self.0.get(key)?.pointer(rest)
+    }
+
     /// As JSON, indented.
     pub fn to_json(&self) -> String {
         format!("{:#}\n", Value::Object(self.0.clone()))

@@ -6,7 +6,7 @@ use std::sync::Arc;
 
 use glam::{DVec3, Vec3};
 use pelage_coat::{Camera, Coat, FinEdges, Irradiance, Light, Lights, MipImage, PatchMesh, ShellTexture, Surface};
-use pelage_lighting::{Facing, HairLighting, HairPoint, Illumination, SelfShadow, Shading, TableLayout};
+use pelage_lighting::{DirectionalLight, Facing, HairLighting, HairPoint, Illumination, SelfShadow, Shading, TableLayout};
 use pelage_render::{LightingMode, Options, ShellRange, View, fin_edges, fin_opacity};
 
 use support::samples::hair::encode;
@@ -38,12 +38,9 @@ fn light(direction: Vec3) -> Lights {
 }
 
 fn illumination(lights: &Lights) -> Illumination {
-    Illumination {
-        direction: lights.directional[0].direction.as_dvec3(),
-        colour: lights.directional[0].colour.as_dvec3(),
-        sky: lights.ambient.at(Vec3::Y).as_dvec3(),
-        ground: lights.ambient.at(Vec3::NEG_Y).as_dvec3(),
-    }
+    let lit = |light: &Light| DirectionalLight { direction: light.direction.as_dvec3(), colour: light.colour.as_dvec3() };
+    let ambient = pelage_lighting::Irradiance(lights.ambient.0.map(Vec3::as_dvec3));
+    Illumination { lights: lights.directional.iter().map(lit).collect(), ambient }
 }
 
 fn near(seen: [u8; 3], light: DVec3, what: &str) {

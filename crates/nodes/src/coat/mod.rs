@@ -1,19 +1,31 @@
 //! Laying fur on a surface.
 
+mod curve;
 mod dress;
 mod edges;
+mod lean;
 
 use std::sync::Arc;
 
 use pelage_coat::{Coat, FinTexture, ShellTexture};
 use pelage_field::{ColourField, DirectionField, ScalarField};
-use pelage_graph::{Colour, Context, Evaluate, Node, NodeError};
+use pelage_graph::{Colour, Context, Evaluate, Node, NodeError, Param};
 use pelage_mesh::Mesh;
 use pelage_patch::PatchTiling;
 use pelage_strand::StrandTile;
 
 use crate::shading::linear;
+use curve::Curve;
 use dress::{Dressing, dress};
+
+/// What the numbers of a length field do to the hair.
+#[derive(Clone, Debug, PartialEq, Param)]
+pub enum LengthsAs {
+    /// Factors of the length: hair of half the length is whole, tip and all, and as dense.
+    Scale,
+    /// Where along its length the hair is cut off, as by a clipper: blunt, and what is left stands as it stood. Past 1 it is whole.
+    Cut,
+}
 
 /// Lays the hair tile on a tiled surface: how long the fur is, how it stands, what colour it has.
 #[derive(Node)]
@@ -38,7 +50,7 @@ pub struct LayFur {
     /// Which way the fur lies; without it the fur stands straight up.
     #[input]
     pub directions: Option<Arc<DirectionField>>,
-    /// Factors of the length; 0 is bare (L19, N5).
+    /// For each vertex how much of the length there is; 0 is bare (L19, N5).
     #[input]
     pub lengths: Option<Arc<ScalarField>>,
     /// Colours that multiply the hair's own (L18).
@@ -50,6 +62,12 @@ pub struct LayFur {
     /// How far the fur is combed down along the directions; its length is kept.
     #[param(default = 0.0, range = -80.0..=80.0, unit = "degrees", effect = "past 45 layers no longer hide each other's gaps")]
     pub slant: f64,
+    /// How much of the slant comes from bending: the tips lean by the slant, the roots by what is left of it. The length along the hair is kept.
+    #[param(default = 0.0, range = 0.0..=1.0, unit = "fraction of the slant", effect = "0: straight; 1: hair leaves the skin upright; none on cost")]
+    pub bend: f64,
+    /// What the lengths do: stretch the hair, or cut it.
+    #[param(default = LengthsAs::Scale)]
+    pub lengths_as: LengthsAs,
     /// Multiplies every colour.
     #[param(default = Colour([1.0, 1.0, 1.0]))]
     pub tint: Colour,
@@ -81,7 +99,8 @@ impl Evaluate for LayFur {
             fin: self.fin.clone(),
             strands: &self.strands,
             length: self.length,
-            slant: self.slant.to_radians(),
+            curve: Curve::new(self.slant.to_radians(), self.bend),
+            cut: self.lengths_as == LengthsAs::Cut,
             tint: linear(self.tint),
             seed: self.seed,
         });
