@@ -23,14 +23,18 @@
 
 mod blur;
 mod composite;
+mod directions;
 mod error;
 mod extent;
 mod fin;
 mod footprint;
 mod gauss;
+mod heights;
 mod image;
+mod levels;
 mod mips;
 mod plane;
+mod shell;
 mod shells;
 mod slab;
 mod spacing;
@@ -38,8 +42,10 @@ mod srgb;
 
 pub use error::VolumeError;
 pub use fin::{FinAcross, FinSettings, sample_fin};
+pub use heights::Spacing;
 pub use image::{FinTexture, Image, ShellStack, Work};
 pub use mips::MipRule;
+pub use shell::Shell;
 pub use shells::{MAX_TEXELS, ShellSettings, sample_shells};
 pub use spacing::layers_for;
 pub use srgb::{linear_to_srgb, srgb_to_linear};

@@ -41,7 +41,7 @@ impl Evaluate for SampleShells {
             ..ShellSettings::default()
         };
         let stack = pelage_volume::sample_shells(&self.strands, &settings)?;
-        Ok(ShellTexture::stack(stack.layers, stack.mips.into_iter().map(mip).collect()).into())
+        Ok(ShellTexture::stack(stack.layers(), stack.mips.into_iter().map(mip).collect()).into())
     }
 }
 
