@@ -128,11 +128,13 @@ struct Sampled {
 fn slab(tile: &StrandTile, settings: &ShellSettings, heights: &[f64], layer: usize) -> Slab {
     let gap = |below: usize| heights.get(below + 1).map(|above| tile.height() * (above - heights[below]));
     let (above, below) = (gap(layer), layer.checked_sub(1).and_then(gap));
-    let spacing = |gap: Option<f64>, other: Option<f64>| gap.or(other).unwrap_or(tile.height());
+    let spacing = above.or(below).unwrap_or(tile.height());
+    // Even but for rounding is even.
+    let spacing_below = below.filter(|below| (below - spacing).abs() > 1e-9 * spacing).unwrap_or(spacing);
     Slab {
         height: tile.height() * heights[layer],
-        sigma: settings.vertical_sigma * spacing(above, below),
-        sigma_below: settings.vertical_sigma * spacing(below, above),
+        sigma: settings.vertical_sigma * spacing,
+        sigma_below: settings.vertical_sigma * spacing_below,
         core: settings.vertical_core / settings.vertical_sigma,
         resolution: f64::from(settings.resolution),
         lateral: lateral(settings).min(WIDEST_FOOTPRINT),
