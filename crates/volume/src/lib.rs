@@ -34,11 +34,13 @@ mod image;
 mod levels;
 mod mips;
 mod plane;
+mod share;
 mod shell;
 mod shells;
 mod slab;
 mod spacing;
 mod srgb;
+mod taper;
 
 pub use error::VolumeError;
 pub use fin::{FinAcross, FinSettings, sample_fin};
@@ -49,3 +51,4 @@ pub use shell::Shell;
 pub use shells::{MAX_TEXELS, ShellSettings, sample_shells};
 pub use spacing::layers_for;
 pub use srgb::{linear_to_srgb, srgb_to_linear};
+pub use taper::OneLayerFit;
