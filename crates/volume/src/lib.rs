@@ -23,6 +23,7 @@
 
 mod blur;
 mod composite;
+mod compress;
 mod directions;
 mod error;
 mod extent;
@@ -33,7 +34,9 @@ mod heights;
 mod image;
 mod levels;
 mod mips;
+mod picture;
 mod plane;
+mod ramp_block;
 mod share;
 mod shell;
 mod shells;
@@ -42,11 +45,13 @@ mod spacing;
 mod srgb;
 mod taper;
 
+pub use compress::{BlockImage, CompressedStack, CompressionError};
 pub use error::VolumeError;
 pub use fin::{FinAcross, FinSettings, sample_fin};
 pub use heights::Spacing;
 pub use image::{FinTexture, Image, ShellStack, Work};
 pub use mips::MipRule;
+pub use picture::fin_from_pixels;
 pub use shell::Shell;
 pub use shells::{MAX_TEXELS, ShellSettings, sample_shells};
 pub use spacing::layers_for;
