@@ -44,7 +44,10 @@ pub use coat::LayFur;
 pub use creature::{Animal, BodyPart, CreatureNode, PartFields, PartFur};
 pub use fields::{ColourRamp, DirectionConstraint, DirectionFieldNode, DirectionPoint, ImageField, PointFlow, ScalarRamp};
 pub use framing::{CameraNode, Framing};
-pub use hair::{FinDirection, GrowStrands, HairStyle, HairUndercoat, SampleFin, SampleShells};
+pub use hair::{
+    BlockForm, CompressShells, FinDirection, FinImage, GrowStrands, HairStyle, HairUndercoat, LevelsOfDetail, NotStraight, OneLayer,
+    OneLayerReport, SampleFin, SampleShells, ShareImages, ShellSpacing,
+};
 pub use models::{ObjFile, Plane, RoundedDie, Sphere, Torus};
 pub use patches::GrowPatches;
 #[cfg(feature = "gpu")]
