@@ -4,7 +4,7 @@ use rayon::prelude::*;
 use texpresso::{Format, Params};
 
 use crate::image::{Image, ShellStack, Work};
-use crate::ramp_block::{decode_alpha, encode_alpha};
+use crate::ramp_block::{decode_alpha, encode_alpha, moved};
 use crate::shell::Shell;
 use crate::srgb::srgb_to_linear;
 
@@ -12,6 +12,8 @@ use crate::srgb::srgb_to_linear;
 const BLOCK_BYTES: usize = 16;
 /// Most corrections of alpha for one image.
 const ROUNDS: usize = 12;
+/// How far apart blocks are that are corrected one after the other.
+const SCATTER: usize = 37;
 /// How far mean coverage may be from the image's own, relative to it.
 const COVERAGE_TOLERANCE: f64 = 0.001;
 
@@ -59,7 +61,7 @@ impl ShellStack {
     /// Compresses all images and mips.
     ///
     /// The paper found that hair "appears thicker" compressed: alpha's endpoints and steps do not keep the mean. Here each image's alpha is scaled before it is compressed until its
-    /// mean, decoded, is the image's own within 0.1 % or one step of one texel. Blocks that reach past the image hold the texels that follow on the torus, so that what is beside the
+    /// mean, decoded, is near the image's own, and then single texels are moved by a step until it is within 0.1 % of it, or no step is small enough. Blocks that reach past the image hold the texels that follow on the torus, so that what is beside the
     /// edge is as near as what is inside.
     pub fn compressed(&self) -> CompressedStack {
         CompressedStack {
@@ -105,6 +107,7 @@ impl BlockImage {
         let (width, height) = (self.width as usize, self.height as usize);
         let (across, down) = (width.div_ceil(4), height.div_ceil(4));
         let mut texels = vec![0u8; 4 * width * height * self.layers as usize];
+        let mut owed = 0.0;
         for (number, block) in self.blocks.as_chunks::<BLOCK_BYTES>().0.iter().enumerate() {
             let each = (across * down).max(1);
             let (layer, within) = (number / each, number % each);
@@ -116,8 +119,11 @@ impl BlockImage {
                 if x >= width || y >= height {
                     continue;
                 }
+                // Steps of a ramp are no bytes; what one texel is rounded by goes to the next, so that the mean is kept.
+                let alpha_byte = if alpha.fract() == 0.0 { alpha as u8 } else { (alpha + owed + 0.5).clamp(0.0, 255.0) as u8 };
+                owed += alpha - f64::from(alpha_byte);
                 if let Some(texel) = texels.get_mut(begin..begin + 4) {
-                    texel.copy_from_slice(&[colour[0], colour[1], colour[2], alpha.round() as u8]);
+                    texel.copy_from_slice(&[colour[0], colour[1], colour[2], alpha_byte]);
                 }
             }
         }
@@ -155,32 +161,59 @@ fn compressed_image(mip: &Image, texels: &[u8]) -> Vec<u8> {
 
 /// Every block's alpha, such that the mean over the image is kept.
 fn corrected_alphas(mip: &Image, source: &[[[u8; 4]; 16]]) -> Vec<[u8; 8]> {
-    let inside = |number: usize, index: usize| {
-        let across = (mip.width as usize).div_ceil(4);
-        number % across * 4 + index % 4 < mip.width as usize && number / across * 4 + index / 4 < mip.height as usize
-    };
-    let counted = |number: usize, values: [f64; 16]| (0..16).filter(|&i| inside(number, i)).map(|i| values[i]).sum::<f64>();
-    let own = source.iter().map(|block| block.map(|texel| f64::from(texel[3])));
-    let wanted: f64 = own.clone().enumerate().map(|(number, values)| counted(number, values)).sum();
+    let own: Vec<[f64; 16]> = source.iter().map(|block| block.map(|texel| f64::from(texel[3]))).collect();
+    let sum = |number: usize, values: &[f64; 16]| (0..16).filter(|&i| is_inside(mip, number, i)).map(|i| values[i]).sum::<f64>();
+    let wanted: f64 = own.iter().enumerate().map(|(number, values)| sum(number, values)).sum();
+    let tolerance = (COVERAGE_TOLERANCE * wanted).max(0.5);
     let mut scale = 1.0;
-    let mut best: Option<(f64, Vec<[u8; 8]>)> = None;
+    let mut best = (f64::INFINITY, Vec::new());
     for _ in 0..ROUNDS {
         // Without hair nothing is scaled, and what is opaque stays so.
-        let encoded: Vec<[u8; 8]> = own
-            .clone()
-            .map(|values| encode_alpha(values.map(|alpha| if alpha < 255.0 { (alpha * scale).min(255.0) } else { 255.0 })))
-            .collect();
-        let got: f64 = encoded.iter().enumerate().map(|(number, &block)| counted(number, decode_alpha(block))).sum();
-        let off = (got - wanted).abs();
-        if best.as_ref().is_none_or(|(least, _)| off < *least) {
-            best = Some((off, encoded));
+        let scaled = |alpha: f64| if alpha < 255.0 { (alpha * scale).min(255.0) } else { alpha };
+        let encoded: Vec<[u8; 8]> = own.iter().map(|values| encode_alpha(values.map(scaled))).collect();
+        let got: f64 = encoded.iter().enumerate().map(|(number, &block)| sum(number, &decode_alpha(block))).sum();
+        let lacks = wanted - got;
+        if lacks.abs() < f64::abs(best.0) {
+            best = (lacks, encoded);
         }
-        if off <= (COVERAGE_TOLERANCE * wanted).max(0.5) || got <= 0.0 {
+        if lacks.abs() <= tolerance || got <= 0.0 {
             break;
         }
         scale *= wanted / got;
     }
-    best.map_or_else(Vec::new, |(_, encoded)| encoded)
+    let (lacks, mut alphas) = best;
+    make_up(mip, &own, &mut alphas, lacks, tolerance);
+    alphas
+}
+
+/// Whether a block's texel is of the image, and not past its edge.
+fn is_inside(mip: &Image, block: usize, index: usize) -> bool {
+    let (width, height) = (mip.width as usize, mip.height as usize);
+    let across = width.div_ceil(4);
+    block % across * 4 + index % 4 < width && block / across * 4 + index / 4 < height
+}
+
+/// Moves single texels, scattered over the image, by a step of their block's ramp until the sum no longer lacks more than the tolerance, or no step is small enough.
+fn make_up(mip: &Image, own: &[[f64; 16]], alphas: &mut [[u8; 8]], mut lacks: f64, tolerance: f64) {
+    let count = alphas.len();
+    for turn in 0..16 * count {
+        if lacks.abs() <= tolerance {
+            return;
+        }
+        // Odd beside a power of two, so that every block has its turn.
+        let (number, index) = (turn * SCATTER % count, turn / count);
+        let partial = own[number][index] > 0.0 && own[number][index] < 255.0;
+        if !(partial && is_inside(mip, number, index)) {
+            continue;
+        }
+        match moved(alphas[number], index, lacks > 0.0) {
+            Some((block, by)) if (lacks - by).abs() < lacks.abs() => {
+                alphas[number] = block;
+                lacks -= by;
+            }
+            _ => {}
+        }
+    }
 }
 
 fn error(decoded: &Image, original: &Image) -> CompressionError {
