@@ -60,7 +60,7 @@ pub struct CompressionError {
 impl ShellStack {
     /// Compresses all images and mips.
     ///
-    /// The paper found that hair "appears thicker" compressed: alpha's endpoints and steps do not keep the mean. Here each image's alpha is scaled before it is compressed until its
+    /// The paper found that compressed hair looks thicker: alpha's endpoints and steps do not keep the mean. Here each image's alpha is scaled before it is compressed until its
     /// mean, decoded, is near the image's own, and then single texels are moved by a step until it is within 0.1 % of it, or no step is small enough. Blocks that reach past the image hold the texels that follow on the torus, so that what is beside the
     /// edge is as near as what is inside.
     pub fn compressed(&self) -> CompressedStack {
