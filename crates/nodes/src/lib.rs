@@ -45,14 +45,17 @@ pub use coat::{LayFur, LengthsAs};
 pub use creature::{Animal, BodyPart, CreatureNode, PartFields, PartFur};
 pub use fields::{ColourRamp, DirectionConstraint, DirectionFieldNode, DirectionPoint, ImageField, PointFlow, ScalarRamp};
 pub use framing::{CameraNode, Framing};
-pub use hair::{FinDirection, GrowStrands, HairStyle, HairUndercoat, SampleFin, SampleShells};
+pub use hair::{
+    BlockForm, CompressShells, FinDirection, FinImage, GrowStrands, HairStyle, HairUndercoat, LevelsOfDetail, NotStraight, OneLayer,
+    OneLayerReport, SampleFin, SampleShells, ShareImages, ShellSpacing,
+};
 pub use light::{EnvironmentNode, LightNode, MOST_LIGHTS};
 pub use models::{ObjFile, Plane, RoundedDie, Sphere, Torus};
 pub use patches::GrowPatches;
 #[cfg(feature = "gpu")]
 pub use pelage_render::{Picture, RenderError};
 #[cfg(feature = "gpu")]
-pub use picture::{DepthMode, FrameReport, Gpu, LightingAt, RenderImage, TableAxis};
+pub use picture::{DepthMode, FinsOn, FrameReport, Gpu, LightingAt, RenderImage, ShellDetail, TableAxis};
 pub use registry::{evaluator, registry};
 pub use shading::HairLightingNode;
 pub use stats::{Stats, repair_counts};

@@ -1,6 +1,6 @@
 //! The figures of an evaluation, as `pelage render --stats` writes them; the keys are a promise to scripts.
 
-use pelage_coat::{Coat, FinTexture, ShellTexture};
+use pelage_coat::{Coat, Encoding, FinTexture, ShellTexture};
 use pelage_field::DirectionField;
 use pelage_graph::{Evaluation, State};
 use pelage_mesh::{Mesh, RepairReport, Summary};
@@ -150,9 +150,14 @@ fn frame(report: &crate::FrameReport) -> Value {
 }
 
 fn textures(shells: &ShellTexture, fin: Option<&FinTexture>) -> Value {
-    let (shell_bytes, fin_bytes) = (shells.byte_size(), fin.map_or(0, FinTexture::byte_size));
+    let (shell_bytes, direction_bytes, fin_bytes) = (shells.byte_size(), shells.direction_bytes(), fin.map_or(0, FinTexture::byte_size));
+    let encoding = match shells.encoding {
+        Encoding::Rgba8 => "rgba8",
+        Encoding::Bc3 => "bc3",
+    };
     json!({
-        "shell_bytes": shell_bytes, "fin_bytes": fin_bytes, "total_bytes": shell_bytes + fin_bytes,
-        "layers": shells.layers(), "resolution": shells.resolution(),
+        "shell_bytes": shell_bytes, "fin_bytes": fin_bytes, "direction_bytes": direction_bytes,
+        "total_bytes": shell_bytes + fin_bytes + direction_bytes,
+        "layers": shells.layers(), "resolution": shells.resolution(), "images": shells.images, "encoding": encoding,
     })
 }

@@ -37,7 +37,7 @@ fn textures() -> Result<(), Box<dyn Error>> {
     let shells =
         made_by::<pelage_coat::ShellTexture>(&format!("{HAIR}{}", r#""shells": SampleShells(strands: "hair.strands")"#), "shells.shells")?;
     let library = pelage_volume::sample_shells(&strands, &pelage_volume::ShellSettings::default())?;
-    assert_eq!(shells.layers(), library.layers);
+    assert_eq!(shells.layers(), library.layers());
     let coverage = |texels: &[u8]| texels.iter().skip(3).step_by(4).copied().collect::<Vec<u8>>();
     for (ours, theirs) in shells.mips.iter().zip(&library.mips) {
         assert!(coverage(&ours.texels) == coverage(&theirs.texels), "coverage differs at {} texels", ours.width);

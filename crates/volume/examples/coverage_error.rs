@@ -46,7 +46,7 @@ fn coverage_table() -> Result<(), Box<dyn std::error::Error>> {
 
 fn layer_error(hair: &StrandTile, shells: &ShellStack, layer: u32, texels: usize) -> (f64, f64) {
     let settings = ShellSettings::default();
-    let spacing = hair.height() / f64::from(shells.layers - 1);
+    let spacing = hair.height() / f64::from(shells.layers() - 1);
     let exact = ExactLayer {
         height: spacing * f64::from(layer),
         core: spacing * settings.vertical_core,
@@ -92,8 +92,8 @@ fn mip_table() -> Result<(), Box<dyn std::error::Error>> {
 fn shaded_light(shells: &ShellStack, level: usize, slope: f64) -> f64 {
     let mip = &shells.mips[level];
     let mut light = vec![0.0f64; (mip.width * mip.height) as usize];
-    for layer in 0..shells.layers {
-        let up = f64::from(layer) / f64::from((shells.layers - 1).max(1));
+    for layer in 0..shells.layers() {
+        let up = f64::from(layer) / f64::from((shells.layers() - 1).max(1));
         let shift = (slope * shells.height * up * f64::from(mip.width)).round() as u32;
         for (index, below) in (0u32..).zip(&mut light) {
             let texel = mip.texel(layer, (index % mip.width + shift) % mip.width, index / mip.width).unwrap_or_default();

@@ -32,7 +32,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
         let fin = sample_fin(&hair, &FinSettings::default())?;
         let path = folder.join(format!("{name}.png"));
         sheet(&shells, &fin).save(&path)?;
-        let cover: Vec<String> = (0..shells.layers).map(|k| format!("{:.2}", shells.mips[0].mean_coverage(k))).collect();
+        let cover: Vec<String> = (0..shells.layers()).map(|k| format!("{:.2}", shells.mips[0].mean_coverage(k))).collect();
         println!("{}: {} strands, height {:.3}, coverage {}", path.display(), hair.strand_count(), hair.height(), cover.join(" "));
         for (angle, slope) in [(0, 0.0), (45, 1.0), (75, 3.732)] {
             let along = [[slope, 0.0], [0.0, slope], [0.0, -slope]].map(|s| shells.transmittance(0, s).unwrap_or(f64::NAN));
@@ -47,7 +47,7 @@ fn sheet(shells: &ShellStack, fin: &FinTexture) -> RgbImage {
     let width = 5 * (SIDE + GAP) + GAP;
     let mut picture = RgbImage::from_pixel(width.max(1024 + 2 * GAP), 2 * (SIDE + GAP) + 128 * 2 + 3 * GAP, Rgb([90, 90, 90]));
     for (column, part) in [0, 3, 7, 11, 15].into_iter().enumerate() {
-        let layer = (part * (shells.layers - 1) / 15).min(shells.layers - 1);
+        let layer = (part * (shells.layers() - 1) / 15).min(shells.layers() - 1);
         let x = GAP + column as u32 * (SIDE + GAP);
         paste(&mut picture, x, GAP, |u, v| layer_over_grey(shells, layer, u, v));
     }
@@ -86,8 +86,8 @@ fn shaded(shells: &ShellStack, level: usize) -> Vec<[f32; 4]> {
     let mip = &shells.mips[level];
     let size = (mip.width * mip.height) as usize;
     let mut picture = vec![[0.0f32; 4]; size];
-    for layer in 0..shells.layers {
-        let up = layer as f32 / (shells.layers - 1).max(1) as f32;
+    for layer in 0..shells.layers() {
+        let up = layer as f32 / (shells.layers() - 1).max(1) as f32;
         let light = 0.25 + 0.75 * up;
         for (index, below) in picture.iter_mut().enumerate() {
             let t = mip.texel(layer, index as u32 % mip.width, index as u32 / mip.width).unwrap_or_default();

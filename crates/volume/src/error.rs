@@ -50,6 +50,21 @@ pub enum VolumeError {
         /// The bound, [`crate::MAX_TEXELS`].
         limit: u64,
     },
+    /// A stack that is only a skin, or nothing, where hair above it is needed.
+    #[error("the stack has no shell above its skin: give it at least two layers")]
+    NoHairShells,
+    /// Pixels that are not an image.
+    #[error("{width} × {height} pixels need {expected} bytes of RGBA, and at least one pixel; {length} bytes were given")]
+    Pixels {
+        /// Pixels across.
+        width: u32,
+        /// Pixels down.
+        height: u32,
+        /// Bytes needed.
+        expected: u64,
+        /// Bytes there.
+        length: u64,
+    },
     /// The box of hair has no height, so there is nowhere to put layers.
     #[error("the hair's box is {height} tile sides high: its height must be positive and finite")]
     NoHeight {

@@ -89,7 +89,7 @@ pub fn sample_fin(tile: &StrandTile, settings: &FinSettings) -> Result<FinTextur
         footprint.open(pieces);
         pieces.iter().for_each(|piece| footprint.add(piece));
         let shade = view.shade(hair);
-        footprint.close(*mass as f32, |x, y, covered| canvas.cover(x, y, covered, &shade));
+        footprint.close(*mass as f32, |x, y, covered, _| canvas.cover(x, y, covered, &shade));
     }
     work.pairs = footprint.pairs;
     Ok(FinTexture { tiles_across: settings.tiles_across, height, mips: image_mips(canvas.plane), work })
@@ -185,6 +185,7 @@ impl<'a> SideView<'a> {
                 radius: radius as f32,
                 taper: 0.0,
                 kind: Kind::Strip { height: 0.0, rise: 0.0, beside: 0.0 },
+                toward: [0.0; 3],
             });
         }
         (pieces, mass)

@@ -19,6 +19,8 @@ pub(crate) struct Piece {
     /// By how much it widens along the piece, in texels a texel.
     pub(crate) taper: f32,
     pub(crate) kind: Kind,
+    /// The hair's unit direction, from root to tip.
+    pub(crate) toward: [f32; 3],
 }
 
 /// What a piece stands for.
@@ -45,6 +47,9 @@ pub(crate) struct Footprint {
     origin: [i32; 2],
     size: [usize; 2],
     values: Vec<f32>,
+    /// Σ value × direction, if directions are asked for; empty else.
+    toward: Vec<[f32; 3]>,
+    directed: bool,
     scratch: Scratch,
     /// Texel and piece pairs evaluated so far: what the cost is linear in.
     pub(crate) pairs: u64,
@@ -62,7 +67,21 @@ struct Scratch {
 
 impl Footprint {
     pub(crate) fn new(sigma: f32) -> Self {
-        Self { sigma, origin: [0, 0], size: [0, 0], values: Vec::new(), scratch: Scratch::default(), pairs: 0 }
+        Self {
+            sigma,
+            origin: [0, 0],
+            size: [0, 0],
+            values: Vec::new(),
+            toward: Vec::new(),
+            directed: false,
+            scratch: Scratch::default(),
+            pairs: 0,
+        }
+    }
+
+    /// The same, keeping the hair's mean direction at each texel as well.
+    pub(crate) fn directed(self, directed: bool) -> Self {
+        Self { directed, ..self }
     }
 
     /// How far a piece's influence reaches beyond its axis.
@@ -90,6 +109,10 @@ impl Footprint {
         }
         self.values.clear();
         self.values.resize(self.size[0] * self.size[1], 0.0);
+        self.toward.clear();
+        if self.directed {
+            self.toward.resize(self.values.len(), [0.0; 3]);
+        }
     }
 
     fn bounds(&self, piece: &Piece) -> ([f32; 2], [f32; 2]) {
@@ -138,18 +161,24 @@ impl Footprint {
         for (row, line) in rows.zip(lines) {
             let sums = &mut self.values[row * self.size[0]..][columns.clone()];
             sums.iter_mut().zip(line).for_each(|(sum, value)| *sum += value);
+            if self.directed {
+                let sums = &mut self.toward[row * self.size[0]..][columns.clone()];
+                sums.iter_mut().zip(line).for_each(|(sum, value)| *sum = [0, 1, 2].map(|axis| sum[axis] + value * piece.toward[axis]));
+            }
         }
     }
 
-    /// Scales the window so that it sums to `mass` (texel areas), then hands each covered texel to `merge` as (x, y, coverage up to 1).
+    /// Scales the window so that it sums to `mass` (texel areas), then hands each covered texel to `merge` as (x, y, coverage up to 1, mean direction).
+    /// The direction is 0 unless it was asked for.
     ///
     /// The sum over texel centres of a Gaussian narrower than half a texel depends on where the hair stands; its mass may not.
-    pub(crate) fn close(&mut self, mass: f32, mut merge: impl FnMut(i32, i32, f32)) {
+    pub(crate) fn close(&mut self, mass: f32, mut merge: impl FnMut(i32, i32, f32, [f32; 3])) {
         let Some(scale) = self.scale_to(mass) else { return };
         for (row, line) in self.values.chunks_exact(self.size[0].max(1)).enumerate() {
             for (column, &value) in line.iter().enumerate() {
                 if value > LEAST {
-                    merge(self.origin[0] + column as i32, self.origin[1] + row as i32, (value * scale).min(1.0));
+                    let toward = self.toward.get(row * self.size[0] + column).map_or([0.0; 3], |sum| sum.map(|d| d / value));
+                    merge(self.origin[0] + column as i32, self.origin[1] + row as i32, (value * scale).min(1.0), toward);
                 }
             }
         }

@@ -1,5 +1,7 @@
 //! Textures as plain bytes, ready for the graphics card.
 
+use crate::shell::Shell;
+
 /// One level of detail: `layers` images of `width` × `height` RGBA8 texels, row by row from the top, layer after layer.
 ///
 /// Red, green and blue are premultiplied by alpha in linear light and then sRGB-encoded; alpha is linear coverage. Row 0 is y = 0 of the tile in a shell
@@ -16,15 +18,19 @@ pub struct Image {
     pub texels: Vec<u8>,
 }
 
-/// Sampled shell layers (L8), innermost first, with mips down to one texel.
+/// Shells and the images they show (L8), innermost first, with mips down to one texel.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ShellStack {
-    /// How many layers; the innermost is the opaque skin.
-    pub layers: u32,
-    /// How far the outermost layer is from the skin, in tile sides.
+    /// How far the outermost shell is from the skin, in tile sides.
     pub height: f64,
-    /// The finest level first, each half as wide as the one before.
+    /// The images; the finest level first, each half as wide as the one before.
     pub mips: Vec<Image>,
+    /// The shells at each level of detail, the finest first (L16); of each level the innermost is the opaque skin. Shell *j* of a level stands where shell 2*j*
+    /// of the finer one does.
+    pub levels: Vec<Vec<Shell>>,
+    /// The mean direction of the hair that each image shows (L15): images of the same sizes, −1 to 1 stored as 127.5 (1 + *x*), red along s, green along t, blue
+    /// up from the skin; at most 1 long. Alpha is 255 and means nothing.
+    pub directions: Option<Vec<Image>>,
     /// What sampling took.
     pub work: Work,
 }
@@ -81,17 +87,32 @@ fn itemised(mips: &[Image]) -> Vec<usize> {
 }
 
 impl ShellStack {
+    /// How many shells the finest level of detail has, the skin included.
+    pub fn layers(&self) -> u32 {
+        self.levels.first().map_or(0, Vec::len) as u32
+    }
+
+    /// How many images there are.
+    pub fn images(&self) -> u32 {
+        self.mips.first().map_or(0, |mip| mip.layers)
+    }
+
     /// Texels along a side of the finest level.
     pub fn resolution(&self) -> u32 {
         self.mips.first().map_or(0, |mip| mip.width)
     }
 
-    /// Bytes of each level, all layers together.
+    /// Bytes of the direction map.
+    pub fn direction_bytes(&self) -> usize {
+        self.directions.as_deref().map_or(0, |mips| itemised(mips).iter().sum())
+    }
+
+    /// Bytes of each mip level, all images together.
     pub fn level_bytes(&self) -> Vec<usize> {
         itemised(&self.mips)
     }
 
-    /// Bytes of all levels and layers.
+    /// Bytes of all mip levels and images, the direction map not counted.
     pub fn byte_size(&self) -> usize {
         self.level_bytes().iter().sum()
     }

@@ -23,23 +23,37 @@
 
 mod blur;
 mod composite;
+mod compress;
+mod directions;
 mod error;
 mod extent;
 mod fin;
 mod footprint;
 mod gauss;
+mod heights;
 mod image;
+mod levels;
 mod mips;
+mod picture;
 mod plane;
+mod ramp_block;
+mod share;
+mod shell;
 mod shells;
 mod slab;
 mod spacing;
 mod srgb;
+mod taper;
 
+pub use compress::{BlockImage, CompressedStack, CompressionError};
 pub use error::VolumeError;
 pub use fin::{FinAcross, FinSettings, sample_fin};
+pub use heights::Spacing;
 pub use image::{FinTexture, Image, ShellStack, Work};
 pub use mips::MipRule;
+pub use picture::fin_from_pixels;
+pub use shell::Shell;
 pub use shells::{MAX_TEXELS, ShellSettings, sample_shells};
 pub use spacing::layers_for;
 pub use srgb::{linear_to_srgb, srgb_to_linear};
+pub use taper::OneLayerFit;

@@ -1,7 +1,7 @@
 //! Images before they are rounded to bytes.
 
 use crate::image::Image;
-use crate::srgb::Encoder;
+use crate::srgb::{Encoder, srgb_to_linear};
 
 /// RGBA in linear light, premultiplied; `f32`, as a byte is all that will be kept of it.
 #[derive(Clone, Debug, PartialEq)]
@@ -33,6 +33,27 @@ impl Plane {
             }
         }
         half
+    }
+
+    /// One image of a level, read back. An image that is not there is empty.
+    pub(crate) fn decoded(image: &Image, layer: u32) -> Self {
+        let mut plane = Self::new(image.width as usize, image.height as usize);
+        let size = plane.texels.len();
+        let bytes = image.texels.chunks_exact(4).skip(layer as usize * size);
+        for (texel, bytes) in plane.texels.iter_mut().zip(bytes) {
+            *texel = [srgb_to_linear(bytes[0]), srgb_to_linear(bytes[1]), srgb_to_linear(bytes[2]), f32::from(bytes[3]) / 255.0];
+        }
+        plane
+    }
+
+    /// Lays another over it: premultiplied, so that every channel is what is above and what of the one below shows through.
+    pub(crate) fn cover(&mut self, above: &Self) {
+        for (below, above) in self.texels.iter_mut().zip(&above.texels) {
+            let open = 1.0 - above[3];
+            for channel in 0..4 {
+                below[channel] = above[channel] + below[channel] * open;
+            }
+        }
     }
 
     pub(crate) fn is_one_texel(&self) -> bool {

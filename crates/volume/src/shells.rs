@@ -4,12 +4,15 @@ use pelage_strand::{Strand, StrandTile};
 use rayon::prelude::*;
 
 use crate::blur::blur;
+use crate::directions::direction_mips;
 use crate::error::{VolumeError, power_of_two, within};
 use crate::extent::check_extents;
 use crate::footprint::Footprint;
+use crate::heights::Spacing;
 use crate::image::{ShellStack, Work};
 use crate::mips::{MipRule, shell_mips};
 use crate::plane::Plane;
+use crate::shell::Shell;
 use crate::slab::{Cut, Slab};
 
 /// Most layers × resolution² sampled at once (16 bytes each while working: 512 MiB).
@@ -24,8 +27,10 @@ const WIDEST_FOOTPRINT: f64 = 1.0;
 /// How strands become layers.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ShellSettings {
-    /// Layers at heights k/(layers − 1) of the box, the skin and the tips included: 1 to 256. Cost and memory are linear in it.
+    /// Layers, the skin and the tips included: 1 to 256. Cost and memory are linear in it.
     pub layers: u32,
+    /// Where they stand. Uneven layers are sampled anew at their own heights, each with a filter that reaches half way to its neighbours.
+    pub spacing: Spacing,
     /// Texels along a tile side, a power of two from 1 to 2048. Memory goes with its square.
     pub resolution: u32,
     /// Lateral deviation of the filter beside the texel's own box, in texels: 0 to 1024. Larger is softer; below 0.5 aliases a little, 0 is the box alone.
@@ -39,18 +44,23 @@ pub struct ShellSettings {
     pub skin_colour: [f32; 3],
     /// What mips keep.
     pub mip_rule: MipRule,
+    /// Whether the hair's mean direction is sampled, too (L15), and what heights are scaled by before it is taken: how long the fur stands on the surface over
+    /// the box's height laid on it, 1e-3 to 1e3. `None`: not sampled. Costs as much memory again.
+    pub directions: Option<f64>,
 }
 
 impl Default for ShellSettings {
     fn default() -> Self {
         Self {
             layers: 16,
+            spacing: Spacing::Even,
             resolution: 128,
             lateral_sigma: 0.35,
             vertical_core: 0.5,
             vertical_sigma: 0.2,
             skin_colour: [0.11, 0.075, 0.055],
             mip_rule: MipRule::default(),
+            directions: None,
         }
     }
 }
@@ -62,6 +72,8 @@ impl ShellSettings {
     /// A value outside the range that its field states, a resolution that is no power of two, too many texels.
     pub fn validate(&self) -> Result<(), VolumeError> {
         within("layers", f64::from(self.layers), 1.0, f64::from(MOST_LAYERS), "layers")?;
+        self.spacing.validate()?;
+        self.directions.map_or(Ok(()), |stretch| within("directions", stretch, 1e-3, 1e3, "(stretch)"))?;
         power_of_two("resolution", self.resolution, 2048)?;
         within("lateral_sigma", self.lateral_sigma, 0.0, 1024.0, "texels")?;
         within("vertical_core", self.vertical_core, 0.0, 8.0, "layer spacings")?;
@@ -87,11 +99,16 @@ pub fn sample_shells(tile: &StrandTile, settings: &ShellSettings) -> Result<Shel
     }
     check_extents(tile, [f64::from(settings.resolution); 2], [0, 1])?;
     let spans: Vec<(f32, f32)> = tile.strands().map(|strand| span(&strand)).collect();
-    let sampled: Vec<(Plane, Work)> =
-        (0..settings.layers).into_par_iter().map(|layer| sample_layer(tile, &spans, settings, layer)).collect();
-    let work = sampled.iter().fold(Work::default(), |sum, (_, work)| sum.plus(*work));
-    let planes = sampled.into_iter().map(|(plane, _)| plane).collect();
-    Ok(ShellStack { layers: settings.layers, height, mips: shell_mips(planes, settings.mip_rule), work })
+    let heights = settings.spacing.heights(settings.layers);
+    let sampled: Vec<Sampled> = (0..heights.len())
+        .into_par_iter()
+        .map(|layer| sample_layer(tile, &spans, settings, &slab(tile, settings, &heights, layer)))
+        .collect();
+    let work = sampled.iter().fold(Work::default(), |sum, layer| sum.plus(layer.work));
+    let (planes, directions): (Vec<Plane>, Vec<Option<Plane>>) = sampled.into_iter().map(|layer| (layer.plane, layer.directions)).unzip();
+    let directions = settings.directions.map(|_| direction_mips(directions.into_iter().flatten().collect()));
+    let shells = (0u32..).zip(&heights).map(|(image, &height)| Shell::plain(height as f32, image)).collect();
+    Ok(ShellStack { height, mips: shell_mips(planes, settings.mip_rule), levels: vec![shells], directions, work })
 }
 
 /// Lowest and highest point of a strand.
@@ -99,21 +116,41 @@ fn span(strand: &Strand<'_>) -> (f32, f32) {
     strand.points.iter().fold((f32::INFINITY, f32::NEG_INFINITY), |(low, high), p| (low.min(p[2]), high.max(p[2])))
 }
 
-fn sample_layer(tile: &StrandTile, spans: &[(f32, f32)], settings: &ShellSettings, layer: u32) -> (Plane, Work) {
-    let steps = f64::from((settings.layers - 1).max(1));
-    let resolution = f64::from(settings.resolution);
-    // The box of a texel enters by its variance.
-    let sigma = (settings.lateral_sigma * settings.lateral_sigma + 1.0 / 12.0).sqrt();
-    let near = sigma.min(WIDEST_FOOTPRINT);
-    let slab = Slab {
-        height: tile.height() * f64::from(layer) / steps,
-        sigma: settings.vertical_sigma * tile.height() / steps,
+/// One layer as it was sampled.
+struct Sampled {
+    plane: Plane,
+    /// The hair's mean direction times what it covers, and that.
+    directions: Option<Plane>,
+    work: Work,
+}
+
+/// Where a layer stands, and how far it reaches: to either side by the spacing there, at the ends by the only one there is.
+fn slab(tile: &StrandTile, settings: &ShellSettings, heights: &[f64], layer: usize) -> Slab {
+    let gap = |below: usize| heights.get(below + 1).map(|above| tile.height() * (above - heights[below]));
+    let (above, below) = (gap(layer), layer.checked_sub(1).and_then(gap));
+    let spacing = above.or(below).unwrap_or(tile.height());
+    // Even but for rounding is even.
+    let spacing_below = below.filter(|below| (below - spacing).abs() > 1e-9 * spacing).unwrap_or(spacing);
+    Slab {
+        height: tile.height() * heights[layer],
+        sigma: settings.vertical_sigma * spacing,
+        sigma_below: settings.vertical_sigma * spacing_below,
         core: settings.vertical_core / settings.vertical_sigma,
-        resolution,
-        lateral: near,
-    };
-    let mut gathered = Gathered::new(settings.resolution as usize);
-    let mut footprint = Footprint::new(near as f32);
+        resolution: f64::from(settings.resolution),
+        lateral: lateral(settings).min(WIDEST_FOOTPRINT),
+        stretch: settings.directions.unwrap_or(1.0),
+    }
+}
+
+/// The lateral deviation. The box of a texel enters by its variance.
+fn lateral(settings: &ShellSettings) -> f64 {
+    (settings.lateral_sigma * settings.lateral_sigma + 1.0 / 12.0).sqrt()
+}
+
+fn sample_layer(tile: &StrandTile, spans: &[(f32, f32)], settings: &ShellSettings, slab: &Slab) -> Sampled {
+    let directed = settings.directions.is_some();
+    let mut gathered = Gathered::new(settings.resolution as usize, directed);
+    let mut footprint = Footprint::new(slab.lateral as f32).directed(directed);
     let mut cut = Cut::default();
     let mut work = Work::default();
     let (low, high) = slab.reach();
@@ -129,15 +166,19 @@ fn sample_layer(tile: &StrandTile, spans: &[(f32, f32)], settings: &ShellSetting
         footprint.open(&cut.pieces);
         cut.pieces.iter().for_each(|piece| footprint.add(piece));
         let colour = [0, 1, 2].map(|c| strand.root_colour[c] + (strand.tip_colour[c] - strand.root_colour[c]) * cut.along);
-        footprint.close(cut.mass as f32, |x, y, covered| gathered.cover(x, y, covered, colour));
+        footprint.close(cut.mass as f32, |x, y, covered, toward| gathered.cover(x, y, covered, colour, toward));
     }
     work.pairs = footprint.pairs;
-    let mut plane = gathered.finish();
-    blur(&mut plane, (sigma * sigma - near * near).max(0.0).sqrt());
-    if layer == 0 {
+    let (mut plane, mut directions) = gathered.finish();
+    let wider = (lateral(settings).powi(2) - slab.lateral.powi(2)).max(0.0).sqrt();
+    blur(&mut plane, wider);
+    if let Some(directions) = &mut directions {
+        blur(directions, wider);
+    }
+    if slab.height == 0.0 {
         lay_on_skin(&mut plane, settings.skin_colour);
     }
-    (plane, work)
+    Sampled { plane, directions, work }
 }
 
 /// One layer while hairs are added to it.
@@ -147,15 +188,18 @@ struct Gathered {
     covered: Vec<f32>,
     /// Σ a·colour and Σ a.
     sums: Vec<[f32; 4]>,
+    /// Σ a·direction; empty unless asked for.
+    toward: Vec<[f32; 3]>,
 }
 
 impl Gathered {
-    fn new(side: usize) -> Self {
-        Self { side, covered: vec![0.0; side * side], sums: vec![[0.0; 4]; side * side] }
+    fn new(side: usize, directed: bool) -> Self {
+        let toward = if directed { vec![[0.0; 3]; side * side] } else { Vec::new() };
+        Self { side, covered: vec![0.0; side * side], sums: vec![[0.0; 4]; side * side], toward }
     }
 
     /// Covers a fraction of a texel, wrapped on the torus.
-    fn cover(&mut self, x: i32, y: i32, covered: f32, colour: [f32; 3]) {
+    fn cover(&mut self, x: i32, y: i32, covered: f32, colour: [f32; 3], toward: [f32; 3]) {
         // Sides are powers of two.
         let mask = self.side - 1;
         let index = (y as usize & mask) * self.side + (x as usize & mask);
@@ -165,16 +209,25 @@ impl Gathered {
             sum[channel] += covered * colour[channel];
         }
         sum[3] += covered;
+        if let Some(sum) = self.toward.get_mut(index) {
+            *sum = [0, 1, 2].map(|axis| sum[axis] + covered * toward[axis]);
+        }
     }
 
-    /// Colour is the mean of the hairs' colours weighted by what they cover.
-    fn finish(self) -> Plane {
+    /// Colour is the mean of the hairs' colours weighted by what they cover, and so is direction.
+    fn finish(self) -> (Plane, Option<Plane>) {
         let mut plane = Plane::new(self.side, self.side);
-        for ((texel, &alpha), sum) in plane.texels.iter_mut().zip(&self.covered).zip(&self.sums) {
+        let mut directions = (!self.toward.is_empty()).then(|| Plane::new(self.side, self.side));
+        for (index, (texel, &alpha)) in plane.texels.iter_mut().zip(&self.covered).enumerate() {
+            let sum = self.sums[index];
             let share = if sum[3] > 0.0 { alpha / sum[3] } else { 0.0 };
             *texel = [sum[0] * share, sum[1] * share, sum[2] * share, alpha];
+            if let Some(directions) = &mut directions {
+                let [x, y, z] = self.toward[index].map(|d| d * share);
+                directions.texels[index] = [x, y, z, alpha];
+            }
         }
-        plane
+        (plane, directions)
     }
 }
 
@@ -205,8 +258,8 @@ mod tests {
         let tile = StrandTile::from_strands(1.0, &[source]).unwrap();
         let spans: Vec<(f32, f32)> = tile.strands().map(|strand| span(&strand)).collect();
         let settings = ShellSettings { layers: 11, resolution: 64, lateral_sigma, ..ShellSettings::default() };
-        let (plane, _) = sample_layer(&tile, &spans, &settings, 5);
-        plane.texels.iter().map(|texel| f64::from(texel[3])).sum()
+        let slab = slab(&tile, &settings, &settings.spacing.heights(11), 5);
+        sample_layer(&tile, &spans, &settings, &slab).plane.texels.iter().map(|texel| f64::from(texel[3])).sum()
     }
 
     #[test]

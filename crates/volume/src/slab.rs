@@ -18,14 +18,18 @@ const MERGE_DEVIATION: f64 = 0.1;
 pub(crate) struct Slab {
     /// Height of the layer, tile sides.
     pub(crate) height: f64,
-    /// Vertical deviation, tile sides.
+    /// Vertical deviation above the layer, tile sides.
     pub(crate) sigma: f64,
+    /// Vertical deviation below it, tile sides: another where layers are unevenly spaced, so that the cores of neighbours meet.
+    pub(crate) sigma_below: f64,
     /// Half the height of the core, in vertical deviations: hair within it covers fully.
     pub(crate) core: f64,
     /// Texels along a tile side.
     pub(crate) resolution: f64,
     /// Lateral deviation of the filter in texels: sets how finely slanted hair is cut.
     pub(crate) lateral: f64,
+    /// What heights are scaled by before directions are taken.
+    pub(crate) stretch: f64,
 }
 
 /// A strand cut to one slab: strips in texels, their exact area, and where along the hair the layer stands.
@@ -60,13 +64,20 @@ struct Run {
     heights: [f64; 2],
     radii: [f64; 2],
     along: [f64; 2],
+    /// The way in space, in tile sides, heights stretched: the hair's direction times its length.
+    way: [f64; 3],
 }
 
 impl Slab {
     /// The heights that reach into the slab.
     pub(crate) fn reach(&self) -> (f32, f32) {
-        let reach = self.window() * self.sigma;
-        ((self.height - reach) as f32, (self.height + reach) as f32)
+        let window = self.window();
+        ((self.height - window * self.sigma_below) as f32, (self.height + window * self.sigma) as f32)
+    }
+
+    /// How far above the layer a height is, in vertical deviations.
+    fn scaled(&self, above: f64) -> f64 {
+        above / if above < 0.0 { self.sigma_below } else { self.sigma }
     }
 
     /// How far from the layer hair is felt, in vertical deviations.
@@ -97,18 +108,8 @@ impl Slab {
             if a.max(b) < low || a.min(b) > high {
                 continue;
             }
-            let run = self.run(strand, index);
-            for part in run.clipped(self.window()).into_iter().flat_map(|run| run.parted(self.core)).flatten() {
-                let zone = Zone {
-                    beside: if nearest.crossings > 1 { 0.0 } else { if part.middle_along() < nearest.along { -1.0 } else { 1.0 } },
-                    core: if part.middle_height().abs() < self.core { None } else { Some(self.core.copysign(part.middle_height())) },
-                };
-                if let Some((done, zone)) = pending.take_in(part, zone, MERGE_DEVIATION * self.lateral) {
-                    strip(&done, zone, cut);
-                }
-            }
-            if let Some(part) = run.crossing() {
-                self.section(&run, part, cut);
+            for run in self.runs(strand, index).into_iter().flatten() {
+                self.take_in(&run, &nearest, &mut pending, cut);
             }
         }
         if let Some((done, zone)) = pending.flush() {
@@ -122,15 +123,43 @@ impl Slab {
         }
     }
 
+    /// The strips and the section of one run.
+    fn take_in(&self, run: &Run, nearest: &Nearest, pending: &mut Pending, cut: &mut Cut) {
+        for part in run.clipped(self.window()).into_iter().flat_map(|run| run.parted(self.core)).flatten() {
+            let zone = Zone {
+                beside: if nearest.crossings > 1 { 0.0 } else { if part.middle_along() < nearest.along { -1.0 } else { 1.0 } },
+                core: if part.middle_height().abs() < self.core { None } else { Some(self.core.copysign(part.middle_height())) },
+            };
+            if let Some((done, zone)) = pending.take_in(part, zone, MERGE_DEVIATION * self.lateral) {
+                strip(&done, zone, cut);
+            }
+        }
+        if let Some(part) = run.crossing() {
+            self.section(run, part, cut);
+        }
+    }
+
+    /// One run; two, apart where they pass the layer, if heights are not scaled alike above and below it.
+    fn runs(&self, strand: &Strand<'_>, index: usize) -> [Option<Run>; 2] {
+        let run = self.run(strand, index);
+        let above = [index, index + 1].map(|i| f64::from(strand.points[i][2]) - self.height);
+        let Some(part) = crossing(above).filter(|_| self.sigma != self.sigma_below) else { return [Some(run), None] };
+        let (mut first, mut second) = (run.between(0.0, part), run.between(part, 1.0));
+        first.heights = [run.heights[0], 0.0];
+        second.heights = [0.0, run.heights[1]];
+        [Some(first).filter(|_| part > 0.0), Some(second).filter(|_| part < 1.0)]
+    }
+
     fn run(&self, strand: &Strand<'_>, index: usize) -> Run {
         let [a, b] = [index, index + 1].map(|i| strand.points[i].map(f64::from));
         let last = (strand.points.len() - 1) as f64;
         Run {
             from: [a[0] * self.resolution, a[1] * self.resolution],
             step: [(b[0] - a[0]) * self.resolution, (b[1] - a[1]) * self.resolution],
-            heights: [a[2], b[2]].map(|z| (z - self.height) / self.sigma),
+            heights: [a[2], b[2]].map(|z| self.scaled(z - self.height)),
             radii: [index, index + 1].map(|i| f64::from(strand.radii[i]) * self.resolution),
             along: [index as f64 / last, (index + 1) as f64 / last],
+            way: [b[0] - a[0], b[1] - a[1], (b[2] - a[2]) * self.stretch],
         }
     }
 
@@ -147,6 +176,7 @@ impl Slab {
             radius: radius as f32,
             taper: 0.0,
             kind: Kind::Section { weight: weight as f32, alone: self.alone(run) as f32 },
+            toward: run.toward(),
         });
     }
 
@@ -159,16 +189,17 @@ impl Slab {
     /// Where the strand comes nearest to the layer; `None` if the slab does not feel it.
     fn nearest(&self, strand: &Strand<'_>) -> Option<Nearest> {
         let mut best = Nearest { index: 0, part: 0.0, along: 0.0, distance: f64::INFINITY, crossings: 0 };
-        let height = |index: usize| (f64::from(strand.points[index][2]) - self.height) / self.sigma;
-        let mut from = height(0);
+        let above = |index: usize| f64::from(strand.points[index][2]) - self.height;
+        let mut from = above(0);
         for index in 0..strand.points.len().saturating_sub(1) {
-            let heights = [from, height(index + 1)];
-            from = heights[1];
-            let crossing = crossing(heights);
+            let ends = [from, above(index + 1)];
+            from = ends[1];
+            let crossing = crossing(ends);
             best.crossings += u32::from(crossing.is_some());
-            let distance = if crossing.is_some() { 0.0 } else { heights[0].abs().min(heights[1].abs()) };
+            let away = ends.map(|above| self.scaled(above).abs());
+            let distance = if crossing.is_some() { 0.0 } else { away[0].min(away[1]) };
             if distance < best.distance {
-                let part = crossing.unwrap_or(if heights[0].abs() <= heights[1].abs() { 0.0 } else { 1.0 });
+                let part = crossing.unwrap_or(if away[0] <= away[1] { 0.0 } else { 1.0 });
                 let along = (index as f64 + part) / (strand.points.len() - 1) as f64;
                 best = Nearest { index, part, along, distance, ..best };
             }
@@ -188,6 +219,12 @@ struct Nearest {
 impl Run {
     fn length(&self) -> f64 {
         (self.step[0] * self.step[0] + self.step[1] * self.step[1]).sqrt()
+    }
+
+    /// The unit direction; straight up where the run has no length.
+    fn toward(&self) -> [f32; 3] {
+        let length = self.way.iter().map(|w| w * w).sum::<f64>().sqrt();
+        if length > 0.0 && length.is_finite() { self.way.map(|w| (w / length) as f32) } else { [0.0, 0.0, 1.0] }
     }
 
     fn middle_along(&self) -> f64 {
@@ -218,6 +255,7 @@ impl Run {
             heights: [self.heights[0], next.heights[1]],
             radii: [self.radii[0], next.radii[1]],
             along: [self.along[0], next.along[1]],
+            way: [0, 1, 2].map(|axis| self.way[axis] + next.way[axis]),
         }
     }
 
@@ -243,6 +281,7 @@ impl Run {
             heights: mix(self.heights),
             radii: mix(self.radii),
             along: mix(self.along),
+            way: self.way.map(|w| w * (t1 - t0)),
         }
     }
 
@@ -360,6 +399,7 @@ fn strip(run: &Run, zone: Zone, cut: &mut Cut) {
         radius: (0.5 * (run.radii[0] + run.radii[1])) as f32,
         taper: ((run.radii[1] - run.radii[0]) / length) as f32,
         kind: Kind::Strip { height: heights[0] as f32, rise: ((heights[1] - heights[0]) / length) as f32, beside: zone.beside },
+        toward: run.toward(),
     });
 }
 

@@ -129,7 +129,7 @@ fn toroidal_tile_has_a_seam_that_cannot_be_told_from_the_middle() {
 #[test]
 fn shells_of_one_layer_are_the_skin() {
     let one = sampled(&grow(&GrowSettings::default()).unwrap(), 1, 64);
-    assert!(one.layers == 1 && (one.mips[0].mean_coverage(0) - 1.0).abs() < 1e-12);
+    assert!(one.layers() == 1 && (one.mips[0].mean_coverage(0) - 1.0).abs() < 1e-12);
     assert_eq!(one.transmittance(0, [0.0, 0.0]), Some(1.0));
 }
 

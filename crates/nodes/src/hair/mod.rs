@@ -1,7 +1,12 @@
-//! Hair: grown in its tile, and sampled into textures.
+//! Hair: grown in its tile, sampled into textures, and those made smaller.
 
+mod convert;
+mod economy;
 mod grow;
+mod picture;
 mod sample;
 
+pub use economy::{BlockForm, CompressShells, LevelsOfDetail, NotStraight, OneLayer, OneLayerReport, ShareImages};
 pub use grow::{GrowStrands, HairStyle, HairUndercoat};
-pub use sample::{FinDirection, SampleFin, SampleShells};
+pub use picture::FinImage;
+pub use sample::{FinDirection, SampleFin, SampleShells, ShellSpacing};

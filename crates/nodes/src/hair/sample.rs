@@ -2,16 +2,46 @@
 
 use std::sync::Arc;
 
-use pelage_coat::{FinTexture, MipImage, ShellTexture};
+use pelage_coat::{FinTexture, ShellTexture};
 use pelage_graph::{Colour, Context, Evaluate, Node, NodeError, Param};
 use pelage_strand::StrandTile;
-use pelage_volume::{FinAcross, FinSettings, Image, ShellSettings};
+use pelage_volume::{FinAcross, FinSettings, ShellSettings, Spacing};
 
+use super::convert::{fin_texture, shell_texture};
 use crate::shading::linear;
+
+/// How the heights of shells follow from their numbers, from 0 at the skin to 1 at the tips (K4).
+#[derive(Clone, Debug, PartialEq, Param)]
+pub enum ShellSpacing {
+    /// All as far apart.
+    Even,
+    /// 1 - (1 - x)^p: outer shells closer together above 1, inner ones below.
+    Power {
+        /// The exponent.
+        #[param(default = 1.5, range = 0.1..=4.0, unit = "exponent", effect = "larger: outer shells closer together; none on cost")]
+        power: f64,
+    },
+    /// (1 - e^(-r x)) / (1 - e^(-r)): outer shells closer together above 0, inner ones below.
+    Exponential {
+        /// The rate.
+        #[param(default = 1.0, range = -8.0..=8.0, unit = "rate", effect = "larger: outer shells closer together; none on cost")]
+        rate: f64,
+    },
+}
+
+impl From<&ShellSpacing> for Spacing {
+    fn from(spacing: &ShellSpacing) -> Self {
+        match *spacing {
+            ShellSpacing::Even => Self::Even,
+            ShellSpacing::Power { power } => Self::Power(power),
+            ShellSpacing::Exponential { rate } => Self::Exponential(rate),
+        }
+    }
+}
 
 /// Shell layers by a tall Gaussian filter against the strands (L8).
 #[derive(Node)]
-#[node(category = "Hair", version = 2)]
+#[node(category = "Hair", version = 3)]
 #[output(shells: ShellTexture, "The layers, innermost first.")]
 pub struct SampleShells {
     /// The hair.
@@ -20,6 +50,9 @@ pub struct SampleShells {
     /// Shells from the skin to the tips, both included.
     #[param(default = 16, range = 1..=256, unit = "layers", effect = "more: smoother fur at a slant; fragments and memory are linear in it")]
     pub layers: u32,
+    /// Where the shells stand; hair is sampled at those heights, each shell reaching half way to its neighbours.
+    #[param(default = ShellSpacing::Even)]
+    pub spacing: ShellSpacing,
     /// Texels along the tile's side; a power of two.
     #[param(default = 128, range = 1..=2048, unit = "texels", effect = "more: finer hair close up; memory goes with its square")]
     pub resolution: u32,
@@ -29,19 +62,27 @@ pub struct SampleShells {
     /// Colour of the skin under the hair.
     #[param(default = Colour([0.366, 0.304, 0.26]))]
     pub skin_colour: Colour,
+    /// Whether the hair's mean direction is kept for every texel, for lighting by pixel (L15). It takes as much memory as the layers.
+    #[param(default = false)]
+    pub directions: bool,
+    /// What heights are scaled by before directions are taken: the fur's length on the surface over the height of the hair's box laid on it.
+    #[param(default = 1.0, range = 0.001..=1000.0, unit = "ratio", effect = "larger: hair stands more upright to the light; none on cost")]
+    pub stretch: f64,
 }
 
 impl Evaluate for SampleShells {
     fn evaluate(&self, _: &mut Context<'_>) -> Result<Self::Outputs, NodeError> {
         let settings = ShellSettings {
             layers: self.layers,
+            spacing: Spacing::from(&self.spacing),
             resolution: self.resolution,
             lateral_sigma: self.softness,
             skin_colour: linear(self.skin_colour).to_array(),
+            directions: self.directions.then_some(self.stretch),
             ..ShellSettings::default()
         };
         let stack = pelage_volume::sample_shells(&self.strands, &settings)?;
-        Ok(ShellTexture::stack(stack.layers, stack.mips.into_iter().map(mip).collect()).into())
+        Ok(shell_texture(stack).into())
     }
 }
 
@@ -90,10 +131,6 @@ impl Evaluate for SampleFin {
             ..FinSettings::default()
         };
         let fin = pelage_volume::sample_fin(&self.strands, &settings)?;
-        Ok(FinTexture { tiles_across: fin.tiles_across as f32, mips: fin.mips.into_iter().map(mip).collect() }.into())
+        Ok(fin_texture(fin).into())
     }
-}
-
-fn mip(image: Image) -> MipImage {
-    MipImage { width: image.width, height: image.height, texels: image.texels }
 }

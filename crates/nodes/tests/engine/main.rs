@@ -35,7 +35,8 @@ fn print(value: &Value) -> String {
         Framing,
         Lights,
         Shading,
-        pelage_mesh::RepairReport
+        pelage_mesh::RepairReport,
+        pelage_nodes::OneLayerReport
     );
     // Its shapes show in where its skin is and in how fur lies on it.
     let creature = || value.downcast_ref::<Creature>().map(|creature| format!("{:?} {:?}", creature.mesh(), creature.lie()));

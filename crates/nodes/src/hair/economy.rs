@@ -1,0 +1,152 @@
+//! Shells made fewer, smaller or coarser: what goes between sampling and the coat.
+
+use std::sync::Arc;
+
+use pelage_coat::{Encoding, ShellTexture};
+use pelage_graph::{Context, Evaluate, Node, NodeError, Param};
+use pelage_volume::{MipRule, OneLayerFit, Spacing};
+
+use super::convert::{compressed_texture, shell_stack, shell_texture};
+use super::sample::ShellSpacing;
+
+/// Coarser shells of the same hair for the distance: pairs composited again and again, down to one (L16).
+#[derive(Node)]
+#[node(category = "Hair", version = 1)]
+#[output(shells: ShellTexture, "The same shells, and every coarser level of detail; 2 N - 1 images for N.")]
+pub struct LevelsOfDetail {
+    /// The shells; their finest level is what the others are made of.
+    #[input]
+    pub shells: Arc<ShellTexture>,
+}
+
+impl Evaluate for LevelsOfDetail {
+    fn evaluate(&self, _: &mut Context<'_>) -> Result<Self::Outputs, NodeError> {
+        Ok(shell_texture(shell_stack(&self.shells)?.with_levels(MipRule::default())?).into())
+    }
+}
+
+/// The same images shown by another number of shells (K5), at other heights (K4); hair stays as dense as it was.
+#[derive(Node)]
+#[node(category = "Hair", version = 1)]
+#[output(shells: ShellTexture, "The shells, and those images that one of them shows. One level of detail.")]
+pub struct ShareImages {
+    /// The shells that have the images.
+    #[input]
+    pub shells: Arc<ShellTexture>,
+    /// How many shells show them, the skin included.
+    #[param(default = 60, range = 1..=256, unit = "shells", effect = "more: smoother fur at a slant; fragments are linear in it, memory is not")]
+    pub count: u32,
+    /// Where they stand.
+    #[param(default = ShellSpacing::Even)]
+    pub spacing: ShellSpacing,
+}
+
+impl Evaluate for ShareImages {
+    fn evaluate(&self, _: &mut Context<'_>) -> Result<Self::Outputs, NodeError> {
+        Ok(shell_texture(shell_stack(&self.shells)?.shared(self.count, Spacing::from(&self.spacing))?).into())
+    }
+}
+
+/// What becomes of hair that one image cannot stand for.
+#[derive(Clone, Debug, PartialEq, Param)]
+pub enum NotStraight {
+    /// The shells stay as they are.
+    Keep,
+    /// The node fails, and says by how much.
+    Refuse,
+}
+
+/// How far shells are from one image tapered by an alpha ramp.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct OneLayerReport {
+    /// Whether the image stands for them.
+    pub kept: bool,
+    /// Error of alpha over alpha, root mean squares both.
+    pub unlikeness: f64,
+    /// Root mean square of alpha's error.
+    pub alpha_rms: f64,
+    /// Alpha's largest error.
+    pub alpha_largest: f64,
+    /// Root mean square of linear colour's error.
+    pub colour_rms: f64,
+    /// Colour's largest error.
+    pub colour_largest: f64,
+}
+
+/// Straight hair noticed: one image of it kept, which all shells show, tapered by an alpha ramp (L22).
+#[derive(Node)]
+#[node(category = "Hair", version = 1)]
+#[output(shells: ShellTexture, "A skin and one image, if they will do; else the shells as they were. One level of detail.")]
+#[output(report: OneLayerReport, "How far the shells are from one image.")]
+pub struct OneLayer {
+    /// The shells.
+    #[input]
+    pub shells: Arc<ShellTexture>,
+    /// How unlike one image they may be: the error of alpha over alpha, root mean squares both.
+    #[param(default = 0.25, range = 0.0..=1.0, unit = "fraction", effect = "larger: more coats in an eighth of the memory, leaning hair stands up and taper is a fade")]
+    pub tolerance: f64,
+    /// What becomes of hair that is less straight.
+    #[param(default = NotStraight::Keep)]
+    pub otherwise: NotStraight,
+}
+
+impl Evaluate for OneLayer {
+    fn evaluate(&self, _: &mut Context<'_>) -> Result<Self::Outputs, NodeError> {
+        let stack = shell_stack(&self.shells)?;
+        let fit = OneLayerFit::of(&stack)?;
+        let kept = fit.unlikeness <= self.tolerance;
+        if !kept && self.otherwise == NotStraight::Refuse {
+            return Err(format!(
+                "the shells are unlike one image by {:.3} of their coverage, more than the tolerance of {:.3}: keep them, let the hair stand straighter, or allow more",
+                fit.unlikeness, self.tolerance
+            )
+            .into());
+        }
+        let report = OneLayerReport {
+            kept,
+            unlikeness: fit.unlikeness,
+            alpha_rms: fit.alpha_rms,
+            alpha_largest: fit.alpha_largest,
+            colour_rms: fit.colour_rms,
+            colour_largest: fit.colour_largest,
+        };
+        let shells = if kept { Arc::new(shell_texture(fit.stack(&stack))) } else { Arc::clone(&self.shells) };
+        Ok(OneLayerOutputs { shells: Some(shells), report: Some(Arc::new(report)) })
+    }
+}
+
+/// How compressed images are handed on.
+#[derive(Clone, Debug, PartialEq, Param)]
+pub enum BlockForm {
+    /// As blocks: a quarter of the memory. Needs a graphics adapter with block compression (BC).
+    Blocks,
+    /// Decoded to texels again: the same picture on any adapter, and no memory saved.
+    Texels,
+}
+
+/// Images compressed in blocks (BC3), each as dense as it was (L22).
+#[derive(Node)]
+#[node(category = "Hair", version = 1)]
+#[output(shells: ShellTexture, "The shells with their images in blocks; a direction map stays as it is.")]
+pub struct CompressShells {
+    /// The shells, with all levels of detail that they are to have.
+    #[input]
+    pub shells: Arc<ShellTexture>,
+    /// How they are handed on.
+    #[param(default = BlockForm::Blocks)]
+    pub form: BlockForm,
+}
+
+impl Evaluate for CompressShells {
+    fn evaluate(&self, _: &mut Context<'_>) -> Result<Self::Outputs, NodeError> {
+        let stack = shell_stack(&self.shells)?;
+        let shells = match (&self.form, self.shells.encoding) {
+            // Compressed once, it is what it is.
+            (BlockForm::Blocks, Encoding::Bc3) => Arc::clone(&self.shells),
+            (BlockForm::Texels, Encoding::Bc3) => Arc::new(shell_texture(stack)),
+            (BlockForm::Blocks, Encoding::Rgba8) => Arc::new(compressed_texture(stack.compressed())),
+            (BlockForm::Texels, Encoding::Rgba8) => Arc::new(shell_texture(stack.compressed().decoded())),
+        };
+        Ok(CompressShellsOutputs { shells: Some(shells) })
+    }
+}
