@@ -25,7 +25,7 @@ pub(crate) struct Blender {
 /// The stack that a view's blended levels are put into.
 #[derive(Debug)]
 pub(crate) struct BlendedStack {
-    pub(crate) view: TextureView,
+    stack: Texture,
     slots: Buffer,
     /// For each mip, what it is made of and its side.
     mips: Vec<(BindGroup, u32)>,
@@ -96,16 +96,18 @@ impl BlendedStack {
             let group = device.create_bind_group(&BindGroupDescriptor { label: Some("blend"), layout: &blender.layout, entries: &entries });
             (group, (source.width() >> mip).max(1))
         });
-        Self {
-            mips: mips.collect(),
-            view: stack.create_view(&TextureViewDescriptor {
-                format: Some(TextureFormat::Rgba8UnormSrgb),
-                dimension: Some(TextureViewDimension::D2Array),
-                usage: Some(TextureUsages::TEXTURE_BINDING),
-                ..TextureViewDescriptor::default()
-            }),
-            slots,
-        }
+        Self { mips: mips.collect(), stack, slots }
+    }
+
+    /// The images from a mip on, to be read.
+    pub(crate) fn view(&self, finest: u32) -> TextureView {
+        self.stack.create_view(&TextureViewDescriptor {
+            format: Some(TextureFormat::Rgba8UnormSrgb),
+            dimension: Some(TextureViewDimension::D2Array),
+            usage: Some(TextureUsages::TEXTURE_BINDING),
+            base_mip_level: finest,
+            ..TextureViewDescriptor::default()
+        })
     }
 
     /// Says what is blended from now on.
@@ -113,10 +115,10 @@ impl BlendedStack {
         queue.write_buffer(&self.slots, 0, bytemuck::cast_slice(slots));
     }
 
-    /// Records the blending of so many images.
-    pub(crate) fn record(&self, pass: &mut ComputePass<'_>, blender: &Blender, images: u32) {
+    /// Records the blending of so many images, from a mip on: finer ones are not seen.
+    pub(crate) fn record(&self, pass: &mut ComputePass<'_>, blender: &Blender, finest: u32, images: u32) {
         pass.set_pipeline(&blender.pipeline);
-        for (group, side) in &self.mips {
+        for (group, side) in self.mips.iter().skip(finest as usize) {
             pass.set_bind_group(0, group, &[]);
             pass.dispatch_workgroups(side.div_ceil(GROUP), side.div_ceil(GROUP), images);
         }

@@ -29,6 +29,8 @@ pub struct GpuCoat {
     pub(crate) traits: CoatTraits,
     /// The longest hair, in diameters.
     pub(crate) length: f32,
+    /// How much of the surface a tile takes at most, in diameters.
+    pub(crate) tile_side: f32,
     /// The ball around skin and fur: centre and radius.
     pub(crate) ball: (Vec3, f32),
     /// The patch of each patch vertex, to count by.
@@ -66,6 +68,7 @@ impl GpuCoat {
                 direction_map: textures.has_directions,
             },
             length: coat.surface.offsets.iter().map(|offset| offset.length()).fold(0.0, f32::max),
+            tile_side: tiles.iter().map(|tile| tile.tile_side).fold(0.0, f32::max),
             ball: ball(coat),
             patch_of: patch_of(coat),
             patch_count: coat.patches.patch_ends.len() as u32,

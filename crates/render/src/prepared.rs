@@ -56,8 +56,8 @@ struct Resources {
     table: Option<(HairLighting, TableLayout)>,
     anisotropy: u16,
     shadow_side: Option<u32>,
-    /// Once there, it stays.
-    blended: bool,
+    /// The finest mip of blended levels; once there, they stay.
+    blended: Option<u32>,
 }
 
 /// Which passes there are.
@@ -119,7 +119,7 @@ impl PreparedView {
             table: table_of(view),
             anisotropy: view.options.anisotropy.clamp(1, 16),
             shadow_side: shadow_side(device, view)?,
-            blended: self.made_for.blended || !schedule.slots.is_empty(),
+            blended: if schedule.slots.is_empty() { self.made_for.blended } else { Some(finest_mip(coat, view, viewpoint)) },
         };
         let same_shadows =
             self.made_for.shadow_side == resources.shadow_side && self.light == light && self.schedule.shells == schedule.shells;
@@ -153,13 +153,14 @@ impl PreparedView {
             self.shadows = resources.shadow_side.map(|side| ShadowMap::new(device, side));
             self.casters = self.shadows.as_ref().map(|_| shared.casters.get(device, &shared.pipelines, coat.traits));
         }
-        if resources.blended && self.blended.is_none() {
+        if resources.blended.is_some() && self.blended.is_none() {
             self.blended = Some(BlendedStack::new(device, &shared.blender, &coat.textures));
         }
+        let blended_view = self.blended.as_ref().map(|blended| blended.view(resources.blended.unwrap_or(0)));
         let parts = GroupParts {
             factors: &factors,
             anisotropy: resources.anisotropy,
-            blended: self.blended.as_ref().map(|blended| &blended.view),
+            blended: blended_view.as_ref(),
             shadows: self.shadows.as_ref().map(|shadows| &shadows.targets),
         };
         self.groups = FrameGroups::new(device, shared, coat, &self.buffers, &self.fins.survivors, &parts);
@@ -174,7 +175,7 @@ impl PreparedView {
         let furry = options.length_scale > 0.0 && coat.furred_face_count() > 0;
         self.shown = Shown {
             surface: options.surface && coat.corner_count > 0,
-            fins: options.fins && furry && coat.edge_count > 0,
+            fins: options.fins && furry && coat.edge_count > 0 && self.schedule.fins > 0.0,
             shells: options.shells && furry && !self.schedule.drawn.is_empty(),
             culling: options.culling,
             fin_segments: options.fin_segments.clamp(1, MOST_SEGMENTS),
@@ -200,7 +201,7 @@ impl PreparedView {
             self.faces.record(pass, &shared.selectors);
         }
         if let Some(blended) = self.blended.as_ref().filter(|_| self.is_blended()) {
-            blended.record(pass, &shared.blender, self.schedule.slots.len() as u32);
+            blended.record(pass, &shared.blender, self.made_for.blended.unwrap_or(0), self.schedule.slots.len() as u32);
         }
     }
 
@@ -326,6 +327,18 @@ fn table_of(view: &View) -> Option<(HairLighting, TableLayout)> {
         LightingMode::Table(layout) => Some((view.shading.hair, layout)),
         LightingMode::PerPatch | LightingMode::PerVertex | LightingMode::Formula => None,
     }
+}
+
+/// The finest mip that a view shows of a coat, with two and a half levels to spare: what the tiles take on the screen at the coat's centre says which that
+/// is, and from afar all of the coat is about there.
+fn finest_mip(coat: &GpuCoat, view: &View, viewpoint: &Viewpoint) -> u32 {
+    let reach = coat.ball.1 + coat.length * view.options.length_scale.max(0.0);
+    let distance = viewpoint.eye.distance(coat.ball.0);
+    if distance < 4.0 * reach {
+        return 0;
+    }
+    let texels = coat.textures.shells.width() as f32 / viewpoint.pixels_of(coat.tile_side).max(1e-6);
+    ((texels.log2() - 2.5).max(0.0) as u32).min(coat.textures.shells.mip_level_count() - 1)
 }
 
 fn shadow_side(device: &Device, view: &View) -> Result<Option<u32>, RenderError> {

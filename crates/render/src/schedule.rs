@@ -53,6 +53,8 @@ pub(crate) struct Schedule {
     pub(crate) slots: Vec<Slot>,
     /// The level, with the part of the way to the next.
     pub(crate) level: f32,
+    /// What is left of the fins: with the last shell they go.
+    pub(crate) fins: f32,
 }
 
 impl Schedule {
@@ -75,6 +77,7 @@ impl Schedule {
             None => Self { shells: fine.iter().map(|&layer| shell(layer)).collect(), ..Self::default() },
         };
         schedule.level = level;
+        schedule.fins = if coarsest > 0.0 { (coarsest - level).min(1.0) } else { 1.0 };
         schedule.set_steps();
         schedule.set_drawn(options, stride);
         schedule

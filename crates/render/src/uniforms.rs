@@ -70,7 +70,7 @@ impl FrameUniform {
                 options.march.steps.max(1) as f32,
             ],
             table: table(options.lighting),
-            fins: fins(view),
+            fins: fins(view, schedule.fins),
             light_from_coat: light.light_from_coat.to_cols_array_2d(),
             casting: [light.length, stride(schedule) as f32, light.bias, 0.0],
         };
@@ -108,13 +108,13 @@ fn threshold(depth: ShellDepth) -> f32 {
 }
 
 /// Rule, threshold, segments, opacity.
-fn fins(view: &View) -> [f32; 4] {
+fn fins(view: &View, opacity: f32) -> [f32; 4] {
     let (rule, threshold) = match view.options.fin_rule {
         FinRule::Faded => (0.0, 0.0),
         FinRule::Silhouette { threshold } => (1.0, threshold),
         FinRule::All => (2.0, 0.0),
     };
-    [rule, threshold, view.options.fin_segments.clamp(1, MOST_SEGMENTS) as f32, 1.0]
+    [rule, threshold, view.options.fin_segments.clamp(1, MOST_SEGMENTS) as f32, opacity]
 }
 
 /// Most quads of a fin.
