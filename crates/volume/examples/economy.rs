@@ -36,7 +36,7 @@ fn bytes(stack: &ShellStack, fin: usize) -> Result<()> {
     let one = OneLayerFit::of(&upright)?.stack(&upright);
     println!("bytes: finest mip, all mips, with the fin of {fin}");
     let row = |name: &str, mips: Vec<usize>| {
-        println!("{name:>40} {:>9} {:>9} {:>9}", mips[0], mips.iter().sum::<usize>(), mips.iter().sum::<usize>() + fin)
+        println!("{name:>40} {:>9} {:>9} {:>9}", mips[0], mips.iter().sum::<usize>(), mips.iter().sum::<usize>() + fin);
     };
     row("16 × 128², RGBA8 (paper: 1.6 MB)", stack.level_bytes());
     row("in blocks (paper: a third)", stack.compressed().level_bytes());

@@ -13,7 +13,7 @@ use crate::shells::MAX_TEXELS;
 
 impl ShellStack {
     /// The stack with all its levels of detail: of each level, the shells 2*j* and 2*j* + 1 of the finer one composited into one that stands where shell 2*j* does
-    /// (Lengyel et al. 2001, section 4.3), down to the skin with all hair on it.
+    /// (Lengyel et al. 2001, section 2.4), down to the skin with all hair on it.
     ///
     /// Composited at full resolution, in premultiplied linear light, from the finest level's images, and rounded to bytes once, so that along the normal each level covers in
     /// every texel what the finest does. Mips are then made by `rule`: of the composite, not the composite of mips. The new images follow those there are:
@@ -32,10 +32,8 @@ impl ShellStack {
         let mut layers = layers(&stack);
         while layers.len() > 1 {
             layers = layers.par_chunks(2).map(Layer::of_pair).collect();
-            let mut next = stack.images();
-            for layer in layers.iter_mut().filter(|layer| layer.is_new) {
-                layer.shell.image = next;
-                next += 1;
+            for (image, layer) in (stack.images()..).zip(layers.iter_mut().filter(|layer| layer.is_new)) {
+                layer.shell.image = image;
             }
             stack.append(&layers, rule);
             stack.levels.push(layers.iter().map(|layer| layer.shell).collect());

@@ -8,6 +8,9 @@
 //! RGBA8: red, green and blue premultiplied by alpha in linear light and then sRGB-encoded, alpha linear coverage. Strands are cut in `f64`, texels
 //! evaluated and averaged in `f32`, and rounded to bytes once at the end of each level, so that each layer's mean coverage is kept.
 //!
+//! A [`ShellStack`] goes on from there: [`ShellStack::with_levels`] composites pairs of shells down to one (L16), [`OneLayerFit`] keeps one image of straight hair (L22),
+//! [`ShellStack::shared`] shows the images by more or fewer shells (K5), [`ShellStack::compressed`] makes blocks (L22). [`fin_from_pixels`] takes a fin that somebody drew.
+//!
 //! ```
 //! use pelage_strand::{GrowSettings, grow};
 //! use pelage_volume::{FinSettings, ShellSettings, sample_fin, sample_shells};

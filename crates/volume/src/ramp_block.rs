@@ -24,7 +24,7 @@ pub(crate) fn encode_alpha(values: [f64; 16]) -> [u8; 8] {
     let (low, high) = range(|_| true);
     let eight = [byte(high), byte(low)];
     // Nothing and all come for free, so the ends are those of what is between.
-    let (low, high) = range(|value| value >= 0.5 && value < 254.5);
+    let (low, high) = range(|value| (0.5..254.5).contains(&value));
     let six = if low <= high { [byte(low), byte(high)] } else { [0, 0] };
     let [one, other] = [eight, six].map(|ends| fitted(&values, ends));
     let (_, ends, indices) = if one.0 < other.0 { one } else { other };

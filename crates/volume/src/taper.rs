@@ -11,7 +11,7 @@ use crate::shell::Shell;
 const ROUNDS: usize = 12;
 
 /// The one image, tapered by an alpha ramp, that comes nearest to all shells of a stack above its skin: for hair that stands straight up Lengyel et al. 2001
-/// (section 5) encode all shells in a single image layer.
+/// (section 4) encode all shells in a single image layer.
 ///
 /// Shell *k* is to show o_k times an image *a*. Over all texels' alphas Σ (shown_k − o_k a)² is least for the first pair of singular vectors, found by alternating: a given
 /// the o_k, the o_k given a. The o_k are scaled to 1 at most. The image's colour is the least-squares one for that ramp: hair that changes its colour from root to tip

@@ -81,10 +81,8 @@ fn shells_that_share_an_image_together_cover_what_it_does() {
             }
         }
         // So the whole passes what it did.
-        for slope in [[0.0, 0.0]] {
-            let (before, after) = (source.transmittance(0, slope).unwrap(), shared.transmittance(0, slope).unwrap());
-            assert!((before - after).abs() < 1e-6, "{before} {after}");
-        }
+        let [before, after] = [&source, &shared].map(|stack| stack.transmittance(0, [0.0, 0.0]).unwrap());
+        assert!((before - after).abs() < 1e-6, "{before} {after}");
     }
 }
 
