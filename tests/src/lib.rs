@@ -5,10 +5,12 @@
 mod golden;
 mod models;
 mod scene;
+mod variants;
 
 pub use golden::{Bounds, Comparison, Golden};
 pub use models::clean_models;
 pub use scene::{Scene, gpu, graph_names, repository};
+pub use variants::{VARIANTS, Variant};
 
 /// Any error of a test's own machinery.
 pub type Error = Box<dyn std::error::Error + Send + Sync>;

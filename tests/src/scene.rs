@@ -63,6 +63,21 @@ impl Scene {
     /// # Errors
     /// Faults of the graph, or failures of its nodes.
     pub fn evaluate_with(evaluator: &mut Evaluator, name: &str, overrides: &[(&str, &str)]) -> Result<Self, Error> {
+        Self::run(evaluator, name, overrides, |_| Request::main())
+    }
+
+    /// The same with the report of the node that drew the picture, whose `repeat` says how often the frame is measured.
+    ///
+    /// # Errors
+    /// Faults of the graph, or failures of its nodes; a main output that no drawing node makes.
+    pub fn evaluate_measured(evaluator: &mut Evaluator, name: &str, overrides: &[(&str, &str)]) -> Result<Self, Error> {
+        Self::run(evaluator, name, overrides, |output| {
+            let node = output.split_once('.').map_or(output, |(node, _)| node);
+            Request::main().and_output(&format!("{node}.frame"))
+        })
+    }
+
+    fn run(evaluator: &mut Evaluator, name: &str, overrides: &[(&str, &str)], request: impl Fn(&str) -> Request) -> Result<Self, Error> {
         let registry = pelage_nodes::registry();
         let mut graph = Graph::read(&repository().join(format!("graphs/{name}.ron")))?;
         for (input, value) in overrides {
@@ -70,7 +85,7 @@ impl Scene {
         }
         let output = graph.output.clone().ok_or("the graph has no main output")?;
         let checked = graph.check(&registry)?;
-        let evaluation = evaluator.run(&checked, &Request::main().with_all_values())?;
+        let evaluation = evaluator.run(&checked, &request(&output).with_all_values())?;
         Ok(Self { evaluation, output })
     }
 
@@ -88,7 +103,10 @@ impl Scene {
     }
 
     /// The one value of a type that the graph made on its way.
-    fn only<T: Send + Sync + 'static>(&self, what: &str) -> Result<Arc<T>, Error> {
+    ///
+    /// # Errors
+    /// Where it made none.
+    pub fn only<T: Send + Sync + 'static>(&self, what: &str) -> Result<Arc<T>, Error> {
         let mut found = self.evaluation.values().filter_map(|(_, _, value)| value.downcast::<T>());
         found.next().ok_or_else(|| format!("the graph makes no {what}").into())
     }

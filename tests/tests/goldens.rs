@@ -1,19 +1,38 @@
 //! Every saved graph makes the picture that is kept of it.
 #![allow(clippy::print_stdout, reason = "the distance of each picture, to choose bounds by")]
 
-use pelage_tests::{Bounds, Error, Golden, Scene, graph_names};
+use pelage_graph::Evaluator;
+use pelage_tests::{Bounds, Error, Golden, Scene, VARIANTS, graph_names};
 
 #[test]
 fn every_graph_makes_its_picture() -> Result<(), Error> {
+    let names = graph_names()?;
+    compare(names.iter().map(|name| (name.as_str(), name.as_str(), &[][..])))
+}
+
+#[test]
+fn every_variant_makes_its_picture() -> Result<(), Error> {
+    compare(VARIANTS.iter().map(|variant| (variant.name, variant.graph, variant.overrides)))
+}
+
+/// Compares goldens with what graphs make: the golden's name, the graph's, and what is set in it.
+fn compare<'a>(pictures: impl Iterator<Item = (&'a str, &'a str, &'a [(&'a str, &'a str)])>) -> Result<(), Error> {
+    let mut evaluator = pelage_nodes::evaluator(1 << 30);
     let mut failures = Vec::new();
-    for name in graph_names()? {
-        let checked = Golden::read(&name).and_then(|golden| golden.expect(&*Scene::evaluate(&name, &[])?.picture()?, Bounds::KEPT));
-        match checked {
-            Ok(comparison) => println!("{name}: FLIP mean {:.5}, 99th percentile {:.5}", comparison.mean, comparison.p99),
+    for (name, graph, overrides) in pictures {
+        match compared(&mut evaluator, name, graph, overrides) {
+            Ok(said) => println!("{said}"),
             Err(error) => failures.push(error.to_string()),
         }
     }
     if failures.is_empty() { Ok(()) } else { Err(failures.join("\n").into()) }
+}
+
+fn compared(evaluator: &mut Evaluator, name: &str, graph: &str, overrides: &[(&str, &str)]) -> Result<String, Error> {
+    let golden = Golden::read(name)?;
+    let picture = Scene::evaluate_with(evaluator, graph, overrides)?.picture()?;
+    let comparison = golden.expect(&picture, Bounds::KEPT)?;
+    Ok(format!("{name}: FLIP mean {:.5}, 99th percentile {:.5}", comparison.mean, comparison.p99))
 }
 
 #[test]

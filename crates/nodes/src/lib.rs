@@ -39,6 +39,8 @@ mod patches;
 mod picture;
 mod registry;
 mod shading;
+#[cfg(feature = "gpu")]
+mod sheet;
 mod stats;
 
 pub use coat::{LayFur, LengthsAs};
@@ -58,4 +60,6 @@ pub use pelage_render::{Picture, RenderError};
 pub use picture::{DepthMode, FinsOn, FrameReport, Gpu, LightingAt, RenderImage, ShellDetail, TableAxis};
 pub use registry::{evaluator, registry};
 pub use shading::HairLightingNode;
+#[cfg(feature = "gpu")]
+pub use sheet::SideBySide;
 pub use stats::{Stats, repair_counts};

@@ -73,6 +73,7 @@ fn with_drawing(registry: Registry) -> Registry {
         .value::<Picture>("Picture", |picture| picture.rgba.len() + picture.coverage.len())
         .value::<crate::FrameReport>("FrameReport", |_| size_of::<crate::FrameReport>())
         .node::<crate::RenderImage>()
+        .node::<crate::SideBySide>()
 }
 
 #[cfg(not(feature = "gpu"))]

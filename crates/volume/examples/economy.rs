@@ -7,7 +7,7 @@
 use std::error::Error;
 
 use pelage_strand::{GrowSettings, Style, Undercoat, grow};
-use pelage_volume::{FinSettings, MipRule, OneLayerFit, ShellSettings, ShellStack, Spacing, sample_fin, sample_shells};
+use pelage_volume::{FinSettings, OneLayerFit, ShellSettings, ShellStack, Spacing, sample_fin, sample_shells};
 use texpresso::{Format, Params};
 
 type Result<T> = std::result::Result<T, Box<dyn Error>>;
@@ -17,7 +17,7 @@ fn main() -> Result<()> {
     let stack = sample_shells(&hair, &ShellSettings { directions: Some(1.0), ..ShellSettings::default() })?;
     let fin = sample_fin(&hair, &FinSettings::default())?;
     bytes(&stack, fin.byte_size())?;
-    compression(&stack.with_levels(MipRule::Coverage)?);
+    compression(&stack.with_levels()?);
     one_layer()?;
     levels(&stack)?;
     sharing()
@@ -31,7 +31,7 @@ fn straight() -> GrowSettings {
 
 /// Bytes exactly, beside the paper's figures.
 fn bytes(stack: &ShellStack, fin: usize) -> Result<()> {
-    let levels = stack.with_levels(MipRule::Coverage)?;
+    let levels = stack.with_levels()?;
     let upright = sample_shells(&grow(&straight())?, &ShellSettings::default())?;
     let one = OneLayerFit::of(&upright)?.stack(&upright);
     println!("bytes: finest mip, all mips, with the fin of {fin}");
@@ -44,7 +44,7 @@ fn bytes(stack: &ShellStack, fin: usize) -> Result<()> {
     row("the same in blocks", one.compressed().level_bytes());
     row("16 × 128² with levels of detail", levels.level_bytes());
     row("the same in blocks", levels.compressed().level_bytes());
-    row("one layer with levels of detail", one.with_levels(MipRule::Coverage)?.level_bytes());
+    row("one layer with levels of detail", one.with_levels()?.level_bytes());
     row(
         "20 × 128² for 60 shells",
         sample_shells(&grow(&straight())?, &ShellSettings { layers: 20, ..ShellSettings::default() })?.level_bytes(),
@@ -136,7 +136,7 @@ fn levels(stack: &ShellStack) -> Result<()> {
     println!(
         "\nlevels of detail of the default coat: shells, picture along the normal against the finest (RMS), transmittance at 45°, where the skin is lit"
     );
-    let chain = stack.with_levels(MipRule::Coverage)?;
+    let chain = stack.with_levels()?;
     let finest = chain.seen_at(0, 0, true).unwrap_or_default();
     for level in 0..chain.levels.len() {
         let alone = ShellStack { levels: vec![chain.levels[level].clone()], ..chain.clone() };

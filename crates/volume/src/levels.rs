@@ -6,8 +6,7 @@ use crate::composite::shown;
 use crate::directions::{direction_mips, weighted};
 use crate::error::VolumeError;
 use crate::image::{Image, ShellStack};
-use crate::mips::{MipRule, shell_mips};
-use crate::plane::Plane;
+use crate::plane::{Plane, encode};
 use crate::shell::Shell;
 use crate::shells::MAX_TEXELS;
 
@@ -15,29 +14,28 @@ impl ShellStack {
     /// The stack with all its levels of detail: of each level, the shells 2*j* and 2*j* + 1 of the finer one composited into one that stands where shell 2*j* does
     /// (Lengyel et al. 2001, section 2.4), down to the skin with all hair on it.
     ///
-    /// Composited at full resolution, in premultiplied linear light, from the finest level's images, and rounded to bytes once, so that along the normal each level covers in
-    /// every texel what the finest does. Mips are then made by `rule`: of the composite, not the composite of mips. The new images follow those there are:
-    /// 2N − 1 in all for N shells with an image each. Two shells that show one image go on showing it, as one shell of more layers, and need no new one.
+    /// Composited in premultiplied linear light from the finest level's images, mip by mip, and rounded to bytes once, so that along the normal each level covers in every
+    /// texel of every mip what the finest does: a coat keeps its opacity and its colour as it recedes, whatever its mips are made by. (Mips made of the composite would
+    /// be another coat: hair that stands in the same texels in two layers covers less, composited first, than two layers that were averaged first.) The new images follow
+    /// those there are: 2N − 1 in all for N shells with an image each. Two shells that show one image go on showing it, as one shell of more layers, and need no new one.
     /// Coarser levels that the stack had are made anew.
     ///
     /// # Errors
     /// More texels than are worked on at once.
-    pub fn with_levels(&self, rule: MipRule) -> Result<Self, VolumeError> {
+    pub fn with_levels(&self) -> Result<Self, VolumeError> {
         let mut stack = self.finest();
         let side = u64::from(stack.resolution());
         let asked = 2 * u64::from(stack.layers()) * side * side;
         if asked > 2 * MAX_TEXELS {
             return Err(VolumeError::TooManyTexels { asked: asked / 2, limit: MAX_TEXELS });
         }
-        let mut layers = layers(&stack);
-        while layers.len() > 1 {
-            layers = layers.par_chunks(2).map(Layer::of_pair).collect();
-            for (image, layer) in (stack.images()..).zip(layers.iter_mut().filter(|layer| layer.is_new)) {
-                layer.shell.image = image;
-            }
-            stack.append(&layers, rule);
-            stack.levels.push(layers.iter().map(|layer| layer.shell).collect());
-            layers.iter_mut().for_each(|layer| layer.is_new = false);
+        let mut mips: Vec<Vec<Layer>> = (0..stack.mips.len()).into_par_iter().map(|mip| layers(&stack, mip)).collect();
+        while mips.first().is_some_and(|layers| layers.len() > 1) {
+            mips = mips.into_par_iter().map(|layers| layers.chunks(2).map(Layer::of_pair).collect()).collect();
+            settle_shells(&mut mips, stack.images());
+            stack.append(&mips);
+            stack.levels.extend(mips.first().map(|layers| layers.iter().map(|layer| layer.shell).collect()));
+            mips.iter_mut().flatten().for_each(|layer| layer.is_new = false);
         }
         Ok(stack)
     }
@@ -67,15 +65,35 @@ impl ShellStack {
         Self { height: self.height, mips: Vec::new(), levels: self.levels.clone(), directions: None, work: self.work }
     }
 
-    /// Adds the images of a level's layers that are new.
-    fn append(&mut self, layers: &[Layer], rule: MipRule) {
-        let new: Vec<u32> = (0u32..).zip(layers).filter(|(_, layer)| layer.is_new).map(|(index, _)| index).collect();
-        // The whole level, as a rule may look at columns.
-        let mips = shell_mips(layers.iter().map(|layer| layer.colour.clone()).collect(), rule);
-        join(&mut self.mips, &mips, &new);
-        if let Some(directions) = &mut self.directions {
-            let planes: Option<Vec<Plane>> = layers.iter().map(|layer| layer.directions.clone()).collect();
-            join(directions, &direction_mips(planes.unwrap_or_default()), &new);
+    /// Adds the images of a level's layers that are new, for each mip.
+    fn append(&mut self, mips: &[Vec<Layer>]) {
+        for (images, layers) in self.mips.iter_mut().zip(mips) {
+            let new: Vec<Plane> = layers.iter().filter(|layer| layer.is_new).map(|layer| layer.colour.clone()).collect();
+            images.texels.extend(encode(&new).texels);
+            images.layers += new.len() as u32;
+        }
+        if let (Some(directions), Some(finest)) = (&mut self.directions, mips.first()) {
+            let planes = finest.iter().filter(|layer| layer.is_new).filter_map(|layer| layer.directions.clone()).collect();
+            for (images, new) in directions.iter_mut().zip(direction_mips(planes)) {
+                images.texels.extend(new.texels);
+                images.layers += new.layers;
+            }
+        }
+    }
+}
+
+/// Says of a new level's shells, the same for all mips, where their images will be and at what height they are lit: where the coarsest mip, which knows the
+/// coverage of whole layers, shows their hair. What fine mips hide in the same texel is seen from aside, as one layer moves against the next.
+fn settle_shells(mips: &mut [Vec<Layer>], images: u32) {
+    let heights: Vec<f32> = mips.last().map_or(Vec::new(), |layers| layers.iter().map(Layer::light_height).collect());
+    for layers in mips {
+        let mut next = images;
+        for (layer, &height) in layers.iter_mut().zip(&heights) {
+            layer.shell.light_height = height;
+            if layer.is_new {
+                layer.shell.image = next;
+                next += 1;
+            }
         }
     }
 }
@@ -85,14 +103,6 @@ fn picked(mip: &Image, images: &[u32]) -> Image {
     let size = 4 * mip.width as usize * mip.height as usize;
     let bytes = images.iter().filter_map(|&image| mip.texels.get(image as usize * size..(image as usize + 1) * size));
     Image { layers: images.len() as u32, texels: bytes.flatten().copied().collect(), ..*mip }
-}
-
-/// Adds some of the images of other mips to those there are.
-fn join(mips: &mut [Image], others: &[Image], images: &[u32]) {
-    for (mip, other) in mips.iter_mut().zip(others) {
-        mip.texels.extend(picked(other, images).texels);
-        mip.layers += images.len() as u32;
-    }
 }
 
 /// A shell while levels are made of it, unrounded.
@@ -107,11 +117,11 @@ struct Layer {
     is_new: bool,
 }
 
-/// The finest level, as it is drawn.
-fn layers(stack: &ShellStack) -> Vec<Layer> {
+/// A mip of the finest level, as it is drawn; the finest mip with its directions.
+fn layers(stack: &ShellStack, mip: usize) -> Vec<Layer> {
     let shells = stack.levels.first().map_or(&[][..], Vec::as_slice);
-    let Some(mip) = stack.mips.first() else { return Vec::new() };
-    let map = stack.directions.as_ref().and_then(|mips| mips.first());
+    let map = stack.directions.as_ref().filter(|_| mip == 0).and_then(|mips| mips.first());
+    let Some(mip) = stack.mips.get(mip) else { return Vec::new() };
     let layer = |&shell: &Shell| {
         let colour = shown(mip, &shell);
         let directions = map.map(|map| weighted(map, shell.image, &colour));
@@ -139,7 +149,6 @@ impl Layer {
             layer.shell = Shell { opacity: 1.0, layers: 1.0, ..layer.shell };
             layer.is_new = true;
         }
-        layer.shell.light_height = layer.light_height();
         layer
     }
 

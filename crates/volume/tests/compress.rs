@@ -3,7 +3,7 @@
 #![allow(clippy::unwrap_used, reason = "a test that cannot go on fails")]
 
 use pelage_strand::{GrowSettings, Undercoat, grow};
-use pelage_volume::{Image, MipRule, Shell, ShellSettings, ShellStack, Work, sample_shells};
+use pelage_volume::{Image, Shell, ShellSettings, ShellStack, Work, sample_shells};
 use proptest::prelude::*;
 
 fn coat() -> ShellStack {
@@ -35,7 +35,7 @@ fn a_quarter_of_the_bytes_and_small_mips_in_a_block_each() {
 
 #[test]
 fn hair_is_as_thick_as_it_was_and_near_what_it_was() {
-    let stack = coat().with_levels(MipRule::Coverage).unwrap();
+    let stack = coat().with_levels().unwrap();
     let back = stack.compressed().decoded();
     for (mip, own) in back.mips.iter().zip(&stack.mips) {
         let texels = f64::from(mip.width * mip.width);

@@ -5,7 +5,7 @@
 use std::f64::consts::TAU;
 
 use pelage_strand::{StrandSource, StrandTile};
-use pelage_volume::{MipRule, ShellSettings, ShellStack, sample_shells};
+use pelage_volume::{ShellSettings, ShellStack, sample_shells};
 
 const STEP: f64 = 1.0 / 127.5;
 
@@ -97,7 +97,7 @@ fn hairs_that_cross_are_weighted_by_what_they_cover() {
 fn no_texel_is_short_where_all_hair_stands_alike() {
     let strands: Vec<StrandSource> =
         (0..5).map(|i| f64::from(i) * 0.19).map(|x| hair(vec![[x, 0.1 + x, 0.0], [x + 0.1, 0.1 + x, 1.0]], 0.01)).collect();
-    let stack = sampled(&strands, 1.0).with_levels(MipRule::Coverage).unwrap();
+    let stack = sampled(&strands, 1.0).with_levels().unwrap();
     let maps = stack.directions.as_ref().unwrap();
     assert_eq!(maps[0].layers, stack.images());
     for (mip, map) in maps.iter().enumerate() {
@@ -114,7 +114,7 @@ fn no_texel_is_short_where_all_hair_stands_alike() {
 fn a_level_of_detail_points_where_its_visible_hair_does() {
     // Upright up to layer 2, leaning from there on; layer 3 holds the leaning part alone and hides what it stands on.
     let kinked = hair(vec![[0.5, 0.5, 0.0], [0.5, 0.5, 0.4], [0.9, 0.5, 1.0]], 0.05);
-    let stack = sampled(&[kinked], 1.0).with_levels(MipRule::Coverage).unwrap();
+    let stack = sampled(&[kinked], 1.0).with_levels().unwrap();
     let composite = stack.levels[1][1].image;
     let leaning = [0.4 / 0.52f64.sqrt(), 0.0, 0.6 / 0.52f64.sqrt()];
     let seen = direction(&stack, 0, composite, 20, 16);

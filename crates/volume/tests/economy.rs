@@ -3,7 +3,7 @@
 #![allow(clippy::unwrap_used, reason = "a test that cannot go on fails")]
 
 use pelage_strand::{GrowSettings, StrandTile, Style, Undercoat, grow};
-use pelage_volume::{Image, MipRule, OneLayerFit, Shell, ShellSettings, ShellStack, Spacing, VolumeError, Work, sample_shells};
+use pelage_volume::{Image, OneLayerFit, Shell, ShellSettings, ShellStack, Spacing, VolumeError, Work, sample_shells};
 
 const SIDE: u32 = 16;
 
@@ -126,7 +126,7 @@ fn nothing_is_corrected_twice() {
 
 #[test]
 fn shared_stacks_have_levels_of_detail_with_few_images() {
-    let shared = stack(5, noise).shared(33, Spacing::Even).unwrap().with_levels(MipRule::Coverage).unwrap();
+    let shared = stack(5, noise).shared(33, Spacing::Even).unwrap().with_levels().unwrap();
     assert_eq!(shared.levels.iter().map(Vec::len).collect::<Vec<_>>(), [33, 17, 9, 5, 3, 2, 1]);
     assert!(shared.images() < 5 + 2 * 7 + 4, "{}", shared.images());
     let passes = |level: usize| -> f64 {
@@ -175,7 +175,7 @@ fn a_ramp_is_found_again() {
 #[test]
 fn one_layer_has_levels_of_detail() {
     let source = stack(16, |k, i| (f64::from(noise(1, i)) * f64::from(16 - k) / 15.0).round() as u8);
-    let one = OneLayerFit::of(&source).unwrap().stack(&source).with_levels(MipRule::Coverage).unwrap();
+    let one = OneLayerFit::of(&source).unwrap().stack(&source).with_levels().unwrap();
     assert_eq!(one.levels.iter().map(Vec::len).collect::<Vec<_>>(), [16, 8, 4, 2, 1]);
     assert_eq!(one.images(), 2 + 4);
     for level in 1..4usize {

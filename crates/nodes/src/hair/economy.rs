@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use pelage_coat::{Encoding, ShellTexture};
 use pelage_graph::{Context, Evaluate, Node, NodeError, Param};
-use pelage_volume::{MipRule, OneLayerFit, Spacing};
+use pelage_volume::{OneLayerFit, Spacing};
 
 use super::convert::{compressed_texture, shell_stack, shell_texture};
 use super::sample::ShellSpacing;
@@ -21,7 +21,7 @@ pub struct LevelsOfDetail {
 
 impl Evaluate for LevelsOfDetail {
     fn evaluate(&self, _: &mut Context<'_>) -> Result<Self::Outputs, NodeError> {
-        Ok(shell_texture(shell_stack(&self.shells)?.with_levels(MipRule::default())?).into())
+        Ok(shell_texture(shell_stack(&self.shells)?.with_levels()?).into())
     }
 }
 

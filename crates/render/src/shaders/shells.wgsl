@@ -28,19 +28,24 @@ struct ShellVertex {
 #endif
 };
 
-// The levels of blur that let a strand's footprints in this layer and the next meet on the screen. At a grazing angle the footprints are thin
-// and apart, and a strand would be a row of dots. Where the texture is magnified the blur is used up before it shows.
-fn step_blur(clip: vec4f, step: vec3f) -> f32 {
+// How far apart, in pixels, a strand's places in this layer and the next are.
+fn step_on_screen(clip: vec4f, step: vec3f) -> f32 {
     let next = clip + frame.clip_from_coat * vec4f(step, 0.0);
-    let apart = (next.xy / max(next.w, 1e-6) - clip.xy / max(clip.w, 1e-6)) * frame.screen.xy;
-    return clamp(log2(max(length(apart), 1.0)), 0.0, frame.screen.z);
+    return length((next.xy / max(next.w, 1e-6) - clip.xy / max(clip.w, 1e-6)) * frame.screen.xy);
 }
 
-// At a slant a texel's footprint is long and thin, and the sampler takes its level from the long side: all detail across is lost. The mean of
-// the two sides' levels keeps strands apart, and what aliases along is averaged by the layers. Half the logarithm of the sides' ratio, N·V, to two
-// levels' worth.
-fn slant_sharpening(normal: vec3f, toward_eye: vec3f) -> f32 {
-    return 0.5 * log2(clamp(dot(normal, toward_eye), 0.25, 1.0));
+// The levels of detail by which the sampler's own is off.
+//
+// At a grazing angle a strand's footprints in this layer and the next are thin and apart, and it would be a row of dots: blurred until they meet.
+// Where the texture is magnified the blur is used up before it shows.
+//
+// At a slant a texel's footprint is long and thin, and the sampler takes its level from the long side: all detail across is lost. The mean of the
+// two sides' levels keeps strands apart, and what aliases along is averaged by the layers, as long as those are less than a pixel apart; else their steps would
+// show as a hatch. Half the logarithm of the sides' ratio, N·V, to two levels' worth.
+fn level_bias(step: f32, n_dot_v: f32) -> f32 {
+    let blur = clamp(log2(max(step, 1.0)), 0.0, frame.screen.z);
+    let sharpening = 0.5 * log2(clamp(n_dot_v, 0.25, 1.0));
+    return blur + sharpening * clamp(2.0 - 2.0 * step, 0.0, 1.0);
 }
 
 #if AXES
@@ -85,7 +90,7 @@ fn shell_vertex(
     out.tile = vec4f(tile, growth_of(v.offset), half.w);
     out.shell = vec2u(shell.image, place_among);
     out.blur_cut = vec2f(
-        step_blur(clip, slope(v, shell.height) * shell.step) + slant_sharpening(v.normal, normalize(frame.eye.xyz - place)),
+        level_bias(step_on_screen(clip, slope(v, shell.height) * shell.step), dot(v.normal, normalize(frame.eye.xyz - place))),
         cut_of(v.end, shell.height));
 #if SPLIT
     out.light = vec4f(
