@@ -110,3 +110,12 @@ pub fn middle(picture: &Picture) -> [u8; 3] {
     let at = 4 * ((picture.height / 2) * picture.width + picture.width / 2) as usize;
     picture.rgba[at..at + 3].try_into().unwrap()
 }
+
+/// What [`encode`] makes, back again.
+pub fn decode(texel: [u8; 4]) -> [f32; 4] {
+    let linear = |byte: u8| {
+        let x = f32::from(byte) / 255.0;
+        if x <= 0.040_45 { x / 12.92 } else { ((x + 0.055) / 1.055).powf(2.4) }
+    };
+    [linear(texel[0]), linear(texel[1]), linear(texel[2]), f32::from(texel[3]) / 255.0]
+}
