@@ -120,7 +120,7 @@ pub struct FinEdges {
     /// The horizontal interval of the fin texture at the two ends: it starts at random, and its length is the edge's in tile coordinates
     /// over the tiles that the fin texture spans. Signed, wrapped.
     pub intervals: Vec<[f32; 2]>,
-    /// The unit normals of the two faces; twice the same at a boundary.
+    /// The unit normals of the two faces; at a boundary the second is zero.
     pub face_normals: Vec<[Vec3; 2]>,
     /// How fast the surface turns across the edge: the angle between the face normals over the distance between the face centres, in radians per diameter.
     pub curvatures: Vec<f32>,

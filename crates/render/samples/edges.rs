@@ -34,7 +34,8 @@ pub fn fin_edges(shape: &Shape, tiles_across: f32) -> FinEdges {
         let start = dice.roll();
         edges.vertices.push([a, b]);
         edges.intervals.push([start, start + span]);
-        edges.face_normals.push([first.0, last.0]);
+        // At a boundary there is no second face, and no normal.
+        edges.face_normals.push([first.0, if faces.len() > 1 { last.0 } else { Vec3::ZERO }]);
         let apart = (first.1 - last.1).length();
         edges.curvatures.push(if apart > 0.0 { first.0.angle_between(last.0) / apart } else { 0.0 });
     }

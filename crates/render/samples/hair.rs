@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use glam::{Vec2, Vec3};
-use pelage_coat::{FinTexture, MipImage, ShellTexture};
+use pelage_coat::{FinTexture, MipImage, ShellLayer, ShellTexture};
 
 use super::Dice;
 
@@ -35,11 +35,13 @@ pub struct Recipe {
     /// Radius of a guard hair at its root, in tiles.
     pub radius: f32,
     pub seed: u64,
+    /// Whether coarser and coarser shells of the same hair follow (L16).
+    pub levels: bool,
 }
 
 impl Default for Recipe {
     fn default() -> Self {
-        Self { layers: 16, resolution: 128, guard_hairs: 420, under_hairs: 900, radius: 0.0115, seed: 3 }
+        Self { layers: 16, resolution: 128, guard_hairs: 420, under_hairs: 900, radius: 0.0115, seed: 3, levels: false }
     }
 }
 
@@ -83,7 +85,12 @@ impl Recipe {
             }
             stack.push(image);
         }
-        ShellTexture::stack(self.layers, mips(stack, side, side))
+        let mut levels = ShellTexture::stack(self.layers, Vec::new()).levels;
+        while self.levels && levels[levels.len() - 1].len() > 1 {
+            let pairs = levels[levels.len() - 1].chunks(2).map(<[ShellLayer]>::to_vec).collect::<Vec<_>>();
+            levels.push(pairs.iter().map(|pair| composite(&mut stack, pair)).collect());
+        }
+        ShellTexture { levels, ..ShellTexture::stack(stack.len() as u32, mips(stack, side, side)) }
     }
 
     fn fin(&self, dice: &mut Dice) -> FinTexture {
@@ -112,6 +119,23 @@ impl Recipe {
         }
         FinTexture { tiles_across: tiles, mips: mips(vec![image], width, height) }
     }
+}
+
+/// Two shells as one that stands where the lower does; its image is added to the stack. An odd one is left as it is.
+fn composite(stack: &mut Vec<Vec<[f32; 4]>>, pair: &[ShellLayer]) -> ShellLayer {
+    let &[lower, upper] = pair else { return pair[0] };
+    let (mut seen, mut height) = (0.0, 0.0);
+    let below = &stack[lower.image as usize];
+    let both = below.iter().zip(&stack[upper.image as usize]).map(|(below, above)| {
+        let through = 1.0 - above[3];
+        seen += above[3] + through * below[3];
+        height += above[3] * upper.light_height + through * below[3] * lower.light_height;
+        std::array::from_fn(|c| above[c] + through * below[c])
+    });
+    let image = both.collect();
+    stack.push(image);
+    let light_height = if seen > 0.0 { (height / seen).clamp(0.0, 1.0) } else { lower.height };
+    ShellLayer { light_height, ..ShellLayer::plain(lower.height, stack.len() as u32 - 1) }
 }
 
 /// Full at the root, a point at the tip.

@@ -1,6 +1,6 @@
 //! What the device picked for a frame, brought back to be counted.
 
-use wgpu::{Buffer, CommandEncoder, Device};
+use wgpu::{Buffer, CommandEncoder, CommandEncoderDescriptor, Device, Queue};
 
 use crate::{FrameStats, GpuCoat, PreparedView, RenderError, readback};
 
@@ -55,5 +55,28 @@ impl Counts {
             triangles: skin + 2 * u64::from(view.shown.fin_segments) * u64::from(fins) + shell_faces,
             passes: None,
         })
+    }
+}
+
+impl PreparedView {
+    /// The edges that the last frame put a fin on, in the order in which they are drawn, and how strongly each shows, 0 to 1. Waits for the device: to look
+    /// at, not for every frame.
+    ///
+    /// # Errors
+    /// A lost device.
+    pub fn read_fins(&self, device: &Device, queue: &Queue) -> Result<Vec<(u32, f32)>, RenderError> {
+        if !self.shown.fins {
+            return Ok(Vec::new());
+        }
+        let mut encoder = device.create_command_encoder(&CommandEncoderDescriptor { label: Some("fins") });
+        let [draws, survivors] = [&self.fins.draws, &self.fins.survivors].map(|from| {
+            let to = readback::readable(device, from.size());
+            encoder.copy_buffer_to_buffer(from, 0, &to, 0, from.size());
+            to
+        });
+        queue.submit([encoder.finish()]);
+        let words = |buffer| readback::read(device, buffer, bytemuck::pod_collect_to_vec::<u8, u32>);
+        let count = words(&draws)?[1] as usize;
+        Ok(words(&survivors)?.chunks_exact(2).take(count).map(|fin| (fin[0], f32::from_bits(fin[1]))).collect())
     }
 }

@@ -10,7 +10,7 @@ pub struct FinEdge {
     pub ends: [Vec3; 2],
     /// The mean of the two ends' offsets *c_v*, unscaled.
     pub offset: Vec3,
-    /// The unit normals of the two faces.
+    /// The unit normals of the two faces; at a boundary the second is zero.
     pub face_normals: [Vec3; 2],
     /// How fast the surface turns across the edge, in radians per diameter.
     pub curvature: f32,

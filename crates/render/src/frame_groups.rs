@@ -124,6 +124,7 @@ impl Maker<'_> {
             BindingResource::TextureView(shadows[1]),
             BindingResource::TextureView(shadows[2]),
             BindingResource::Sampler(&self.shared.shadow_sampler),
+            BindingResource::TextureView(&self.coat.textures.skin),
         ];
         let entries: Vec<_> = resources.into_iter().zip(0..).map(|(resource, binding)| BindGroupEntry { binding, resource }).collect();
         let layout = &self.shared.pipelines.frame_layout;

@@ -1,5 +1,6 @@
 //! Pictures without a window.
 
+use std::sync::{Mutex, MutexGuard, PoisonError};
 use std::time::Instant;
 
 use pelage_coat::{Background, Coat};
@@ -27,6 +28,8 @@ pub struct Offscreen {
     /// None for a picture without pixels.
     attachments: Option<Attachments>,
     timer: Option<PassTimer>,
+    /// Whoever draws holds it: target, background and timer are one frame's at a time.
+    drawing: Mutex<()>,
 }
 
 /// Draws one picture: uploads, draws, reads back. For several of one coat or size use [`Offscreen`].
@@ -65,6 +68,7 @@ impl Offscreen {
             size,
             attachments: (size.0 > 0 && size.1 > 0).then(|| Attachments::new(device, target, size)),
             timer: PassTimer::new(device),
+            drawing: Mutex::default(),
         };
         headless.check()?;
         Ok(offscreen)
@@ -83,7 +87,7 @@ impl Offscreen {
         self.renderer.upload(self.headless.device(), self.headless.queue(), coat)
     }
 
-    /// Draws a frame and reads it back.
+    /// Draws a frame and reads it back. Of several threads that ask at once, one draws after the other.
     ///
     /// # Errors
     /// Those of [`Renderer::prepare`]; a validation error; a lost device.
@@ -92,6 +96,7 @@ impl Offscreen {
         let Some(attachments) = &self.attachments else {
             return Ok(Picture { width, height, rgba: Vec::new(), coverage: Vec::new(), frame: FrameStats::default() });
         };
+        let _one_at_a_time = self.lock();
         let mut prepared = self.prepare(coat, view, background)?;
         let device = self.headless.device();
         let stride = readback::row_stride(width);
@@ -121,6 +126,7 @@ impl Offscreen {
     /// Those of [`Offscreen::render`].
     pub fn time(&self, coat: &GpuCoat, view: &View, background: &Background, frames: u32) -> Result<FrameTimes, RenderError> {
         let Some(attachments) = &self.attachments else { return Ok(FrameTimes::default()) };
+        let _one_at_a_time = self.lock();
         let mut prepared = self.prepare(coat, view, background)?;
         let plan = FramePlan { attachments, coat, hidden: view.options.hidden };
         let (device, queue) = (self.headless.device(), self.headless.queue());
@@ -141,6 +147,11 @@ impl Offscreen {
         })?;
         self.headless.check()?;
         Ok(FrameTimes::of(times, &passes))
+    }
+
+    /// A panic elsewhere leaves nothing half drawn: the next frame begins anew.
+    fn lock(&self) -> MutexGuard<'_, ()> {
+        self.drawing.lock().unwrap_or_else(PoisonError::into_inner)
     }
 
     fn encoder(&self) -> CommandEncoder {

@@ -294,7 +294,7 @@ pub(crate) fn texture(dimension: TextureViewDimension) -> BindingType {
     BindingType::Texture { sample_type: TextureSampleType::Float { filterable: true }, view_dimension: dimension, multisampled: false }
 }
 
-fn frame_entries() -> [BindGroupLayoutEntry; 13] {
+fn frame_entries() -> [BindGroupLayoutEntry; 14] {
     let both = ShaderStages::VERTEX_FRAGMENT;
     let sampler = BindingType::Sampler(SamplerBindingType::Filtering);
     let depth =
@@ -313,6 +313,7 @@ fn frame_entries() -> [BindGroupLayoutEntry; 13] {
         entry(10, ShaderStages::FRAGMENT, texture(TextureViewDimension::D2)),
         entry(11, ShaderStages::FRAGMENT, texture(TextureViewDimension::D2)),
         entry(12, ShaderStages::FRAGMENT, BindingType::Sampler(SamplerBindingType::Comparison)),
+        entry(13, ShaderStages::VERTEX, texture(TextureViewDimension::D2)),
     ]
 }
 

@@ -239,6 +239,11 @@ impl PreparedView {
         shadows.record(encoder, casters, self.groups.casting(self.is_blended()), coat, furry);
     }
 
+    /// Whether the next frame draws the shadow map anew: the light, the fur's length or the shells have changed, or it was asked for.
+    pub fn shadows_are_stale(&self) -> bool {
+        self.shadows.as_ref().is_some_and(ShadowMap::is_stale)
+    }
+
     /// Has the shadow map drawn anew with the next frame: for a coat whose arrays have changed on the device, or to measure what it costs.
     pub fn redraw_shadows(&self) {
         if let Some(shadows) = &self.shadows {

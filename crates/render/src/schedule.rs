@@ -79,6 +79,9 @@ impl Schedule {
         schedule.level = level;
         schedule.fins = if coarsest > 0.0 { (coarsest - level).min(1.0) } else { 1.0 };
         schedule.set_steps();
+        if !schedule.slots.is_empty() {
+            schedule.blend_steps(blend);
+        }
         schedule.set_drawn(options, stride);
         schedule
     }
@@ -119,6 +122,17 @@ impl Schedule {
                 (None, None) => 0.0,
             };
             self.shells[k].step = step;
+        }
+    }
+
+    /// Where two levels blend, the shells that stay come to look ahead as far as the next that stays: what follows from the step must not jump where the others
+    /// are gone.
+    fn blend_steps(&mut self, blend: f32) {
+        let apart = |shells: &[Shell], k: usize| Some(shells.get(k + 2)?.height - shells[k].height);
+        for k in (0..self.shells.len()).step_by(2) {
+            let coarse = apart(&self.shells, k).or_else(|| apart(&self.shells, k.checked_sub(2)?));
+            let step = self.shells[k].step;
+            self.shells[k].step = step + blend * (coarse.unwrap_or(0.0) - step);
         }
     }
 

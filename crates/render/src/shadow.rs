@@ -118,6 +118,11 @@ impl ShadowMap {
         self.redraw();
     }
 
+    /// Whether the next frame draws it.
+    pub(crate) fn is_stale(&self) -> bool {
+        self.stale.load(Ordering::Relaxed)
+    }
+
     /// Has it drawn anew with the next frame.
     pub(crate) fn redraw(&self) {
         self.stale.store(true, Ordering::Relaxed);

@@ -16,6 +16,8 @@ use crate::pack::half;
 pub struct GpuTextures {
     pub(crate) shells: Texture,
     pub(crate) shell_view: TextureView,
+    /// The image of the finest level's innermost shell: bare skin, where coarser ones have hair on it.
+    pub(crate) skin: TextureView,
     pub(crate) directions: TextureView,
     pub(crate) fin: TextureView,
     pub(crate) levels: Arc<[Vec<ShellLayer>]>,
@@ -38,6 +40,12 @@ impl GpuTextures {
         let directions = stack("directions", TextureFormat::Rgba8Unorm, count, map);
         let fin_texture = stack("fin", TextureFormat::Rgba8UnormSrgb, 1, fin.map_or(&none[..], |fin| &fin.mips));
         Self {
+            skin: texture.create_view(&TextureViewDescriptor {
+                dimension: Some(TextureViewDimension::D2),
+                base_array_layer: shells.levels.first().and_then(|level| level.first()).map_or(0, |skin| skin.image),
+                array_layer_count: Some(1),
+                ..TextureViewDescriptor::default()
+            }),
             shell_view: view(&texture, TextureViewDimension::D2Array),
             shells: texture,
             directions: view(&directions, TextureViewDimension::D2Array),

@@ -24,10 +24,11 @@ pub(crate) fn fin_edges(dressing: &Dressing, surface: &Surface, frame: &Frame) -
         // Seeded by the edge itself, so that a change elsewhere leaves this fin as it is.
         let start: f64 = Pcg64Mcg::seed_from_u64(dressing.seed ^ (u64::from(ends[0].id().0) << 32 | u64::from(ends[1].id().0))).random();
         let near = edge.half_edge();
-        let faces = [near.face(), near.twin().unwrap_or(near).face()];
+        // At a boundary there is no second face, and no normal.
+        let beyond = near.twin().map_or(glam::Vec3::ZERO, |twin| twin.face().normal().as_vec3());
         edges.vertices.push(ends.map(|v| v.id().0));
         edges.intervals.push([start as f32, (start + span) as f32]);
-        edges.face_normals.push(faces.map(|face| face.normal().as_vec3()));
+        edges.face_normals.push([near.face().normal().as_vec3(), beyond]);
         edges.curvatures.push((curvature(edge) * frame.diameter) as f32);
     }
     edges

@@ -13,6 +13,7 @@
 @group(0) @binding(10) var shadow_fronts: texture_2d<f32>;
 @group(0) @binding(11) var shadow_slices: texture_2d<f32>;
 @group(0) @binding(12) var shadow_sampler: sampler_comparison;
+@group(0) @binding(13) var skin_image: texture_2d<f32>;  // of the finest level, which has no hair on it
 
 @group(1) @binding(0) var<storage, read> skin: array<vec4u>;   // position, normal
 @group(1) @binding(1) var<storage, read> fur: array<vec4u>;    // offset, hair direction

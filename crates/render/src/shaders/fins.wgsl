@@ -5,7 +5,8 @@ struct FinVertex {
     // Centroid: a fin a fraction of a pixel high would else be lit by what lies far outside of it.
     @location(0) @interpolate(perspective, centroid) fin: vec4f,      // along the texture, height, growth, opacity
     @location(1) @interpolate(perspective, centroid) ambient: vec3f,  // the light without what dies away with depth, which is not linear along the hair
-    @location(2) @interpolate(perspective, centroid) direct: vec4f,   // likewise, and the optical depth of the whole length towards the light
+    @location(2) @interpolate(perspective, centroid) direct: vec4f,   // the first light, likewise, and the optical depth of the whole length towards it
+    @location(5) @interpolate(perspective, centroid) others: vec3f,   // the other lights, shadowed
 #if SHADOW_MAP
     @location(4) @interpolate(perspective, centroid) in_light: vec3f,
 #endif
@@ -32,7 +33,8 @@ fn fin_vertex(@builtin(vertex_index) corner: u32, @builtin(instance_index) fin: 
     out.position = frame.clip_from_coat * vec4f(place, 1.0);
     out.fin = vec4f(along, height, growth_of(v.offset), bitcast<f32>(picked.y) * frame.fins.w);
     out.ambient = v.colour * frame.ambient.xyz * irradiance(v.normal);
-    out.direct = vec4f(v.colour * (key + lights_from(1u, direction, v.normal, toward_eye, 0.5)), slanted_density(n_dot_l));
+    out.direct = vec4f(v.colour * key, slanted_density(n_dot_l));
+    out.others = v.colour * lights_from(1u, direction, v.normal, toward_eye, 0.5);
 #if SHADOW_MAP
     out.in_light = place_in_light(place, v.normal, length(v.offset) * (1.0 - height));
 #endif
@@ -54,6 +56,6 @@ fn fin_fragment(in: FinVertex) -> @location(0) vec4f {
 #if SHADOW_MAP
     direct *= shadow_at(in.in_light);
 #endif
-    let light = in.ambient * floored(frame.shadow.w * depth) + direct;
+    let light = in.ambient * floored(frame.shadow.w * depth) + direct + in.others;
     return vec4f(hair.rgb * light, hair.a);
 }

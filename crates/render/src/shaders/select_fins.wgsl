@@ -23,12 +23,12 @@ fn faded(area: vec3f, offset: vec3f, normal_a: vec3f, normal_b: vec3f, curvature
     return max(0.0, 2.0 * abs(dot(normalize(area), toward_eye)) - 1.0);
 }
 
-// NVIDIA's sample: a silhouette's edge, or nearly one. A boundary has no second face, whose normal is then zero and under any threshold.
+// NVIDIA's sample: a silhouette's edge, or nearly one. A boundary has no second face, whose normal is zero: it is always one.
 fn silhouette(middle: vec3f, normal_a: vec3f, normal_b: vec3f) -> f32 {
     let toward_eye = normalize(frame.eye.xyz - middle);
     let cosines = vec2f(dot(toward_eye, normal_a), dot(toward_eye, normal_b));
     let near = min(abs(cosines.x), abs(cosines.y)) < frame.fins.y;
-    return select(0.0, 1.0, cosines.x * cosines.y < 0.0 || near);
+    return select(0.0, 1.0, cosines.x * cosines.y <= 0.0 || near);
 }
 
 fn fin_opacity(edge: u32) -> f32 {

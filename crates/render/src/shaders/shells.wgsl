@@ -49,11 +49,12 @@ fn level_bias(step: f32, n_dot_v: f32) -> f32 {
 }
 
 #if AXES
-// A direction in the tile's own axes: along s and t in tiles, along the hair in heights. `s` is ∂p/∂s.
+// A way as long as the hair, in the tile's own axes: along s and t in tiles, along the hair in heights. `s` is ∂p/∂s.
 fn in_tile(direction: vec3f, s: vec3f, normal: vec3f, along: vec3f) -> vec3f {
     let rise = dot(along, normal);
-    let heights = dot(direction, normal) / select(rise, 1e-9, abs(rise) < 1e-9);
-    let flat = direction - heights * along;
+    let way = direction * length(along);
+    let heights = dot(way, normal) / select(rise, 1e-9, abs(rise) < 1e-9);
+    let flat = way - heights * along;
     return vec3f(dot(flat, s), dot(flat, cross(normal, s)), heights * dot(s, s)) / max(dot(s, s), 1e-20);
 }
 
@@ -178,7 +179,8 @@ fn first_response(in: ShellVertex, tile: vec2f, place_among: u32) -> vec3f {
     let rise = shells[above].height - shells[place_among].height;
     let over = tile + aside(in.toward_light, 0.15) * rise;
     let covered = hair_at(over, above, shells[above].image, in.blur_cut.x).a;
-    response *= 1.0 - frame.facing.w * covered * select(0.0, 1.0, in.toward_light.z > 0.0);
+    // Nothing is above the outermost.
+    response *= 1.0 - frame.facing.w * covered * select(0.0, 1.0, in.toward_light.z > 0.0 && rise > 0.0);
 #endif
 #if SHADOW_MAP
     response *= shadow_at(in.in_light);

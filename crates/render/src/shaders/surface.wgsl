@@ -15,8 +15,8 @@ struct SurfaceVertex {
 @vertex
 fn surface_vertex(@location(0) index: u32, @location(1) tile: vec2f) -> SurfaceVertex {
     let v = vertex_at(index);
-    // The skin's own colour is the mean of its layer: the last level of detail.
-    let mean = textureSampleLevel(shell_images, tile_sampler, vec2f(0.5), shells[0].image, 16.0).rgb;
+    // The skin's own colour is the mean of its layer: the last mip.
+    let mean = textureSampleLevel(skin_image, tile_sampler, vec2f(0.5), 16.0).rgb;
     let depth = 1.0 - shells[0].light_height;
     let toward_eye = normalize(frame.eye.xyz - v.position);
     var out: SurfaceVertex;

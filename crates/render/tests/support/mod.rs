@@ -2,6 +2,8 @@
 #![allow(dead_code, unreachable_pub, reason = "shared by several tests, each of which uses a part")]
 #![allow(clippy::panic, clippy::unwrap_used, reason = "a test may panic")]
 
+pub mod stage;
+
 #[path = "../../samples/mod.rs"]
 pub mod samples;
 
@@ -45,10 +47,18 @@ pub fn picture(coat: &Coat, view: &View) -> Picture {
     sampled(coat, view, 4)
 }
 
+/// One target for all tests of a program, of 1 or 4 samples a pixel: what its pipelines take to compile is spent once.
+pub fn offscreen(samples: u32) -> &'static Offscreen {
+    static OFFSCREENS: LazyLock<[Offscreen; 2]> =
+        LazyLock::new(|| [1, 4].map(|samples| Offscreen::new(headless(), SIZE, samples).unwrap_or_else(|error| panic!("{error}"))));
+    &OFFSCREENS[usize::from(samples == 4)]
+}
+
 pub fn sampled(coat: &Coat, view: &View, samples: u32) -> Picture {
-    let offscreen = Offscreen::new(headless(), SIZE, samples).unwrap_or_else(|error| panic!("{error}"));
+    let offscreen = offscreen(samples);
     let uploaded = offscreen.upload(coat).unwrap_or_else(|error| panic!("{error}"));
-    let picture = offscreen.render(&uploaded, view, &background()).unwrap_or_else(|error| panic!("{error}"));
+    let picture =
+        offscreen.render(&uploaded, view, &background()).unwrap_or_else(|error| panic!("{error}: {:?}", headless().take_errors()));
     assert_eq!(headless().take_errors(), Vec::<String>::new());
     assert_eq!(picture.rgba.len(), 4 * picture.coverage.len());
     picture
@@ -99,4 +109,13 @@ pub fn bytes(colour: DVec3) -> [u8; 3] {
 pub fn middle(picture: &Picture) -> [u8; 3] {
     let at = 4 * ((picture.height / 2) * picture.width + picture.width / 2) as usize;
     picture.rgba[at..at + 3].try_into().unwrap()
+}
+
+/// What [`encode`] makes, back again.
+pub fn decode(texel: [u8; 4]) -> [f32; 4] {
+    let linear = |byte: u8| {
+        let x = f32::from(byte) / 255.0;
+        if x <= 0.040_45 { x / 12.92 } else { ((x + 0.055) / 1.055).powf(2.4) }
+    };
+    [linear(texel[0]), linear(texel[1]), linear(texel[2]), f32::from(texel[3]) / 255.0]
 }
