@@ -58,7 +58,7 @@ pub enum DepthMode {
     Written,
     /// Only tested, as in NVIDIA's sample.
     Tested,
-    /// Written, without blending: opacity is the share of a pixel's samples (alpha to coverage). Wants 4 samples.
+    /// Written, without blending: opacity is the share of a pixel's samples (alpha to coverage), so that no order matters. Grainy; wants 4 samples.
     Coverage,
 }
 

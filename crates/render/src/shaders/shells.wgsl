@@ -262,12 +262,24 @@ fn shell_blended(in: ShellVertex) -> @location(0) vec4f {
     return shell_colour(in);
 }
 
-// Opacity as the share of a pixel's samples: no blending, and no order that matters.
+struct Covered {
+    @location(0) colour: vec4f,
+    @builtin(sample_mask) samples: u32,
+};
+
+// Opacity as the share of a pixel's samples: no blending, and no order that matters. Which samples differs from pixel to pixel and from shell to shell, or
+// shells would cover the same ones over and over (Enderton et al. 2010, *Stochastic transparency*); a device's own alpha to coverage has one pattern for all.
 @fragment
-fn shell_covering(in: ShellVertex) -> @location(0) vec4f {
+fn shell_covering(in: ShellVertex) -> Covered {
     let colour = shell_colour(in);
     if colour.a < frame.fur.z {
         discard;
     }
-    return vec4f(colour.rgb / colour.a, colour.a);
+    // Interleaved gradient noise (Jimenez 2014) over pixels, steps of the golden and the plastic ratio over shells.
+    let pixel = fract(52.9829189 * fract(dot(floor(in.position.xy), vec2f(0.06711056, 0.00583715))));
+    let shell = f32(in.shell.y);
+    let count = min(u32(colour.a * f32(SAMPLES) + fract(pixel + shell * 0.61803399)), SAMPLES);
+    let first = u32(fract(7.0 * pixel + shell * 0.7548777) * f32(SAMPLES));
+    let samples = ((1u << count) - 1u) << first;
+    return Covered(vec4f(colour.rgb / colour.a, 1.0), (samples | (samples >> SAMPLES)) & ((1u << SAMPLES) - 1u));
 }
