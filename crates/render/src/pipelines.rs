@@ -4,11 +4,10 @@ use std::collections::HashMap;
 use std::sync::{Mutex, PoisonError};
 
 use wgpu::{
-    BindGroupLayout, BindGroupLayoutDescriptor, BindGroupLayoutEntry, BindingType, BlendComponent, BlendFactor, BlendOperation, BlendState,
-    BufferBindingType, ColorTargetState, ColorWrites, Device, Face, FragmentState, MultisampleState, PipelineCompilationOptions,
-    PipelineLayout, PipelineLayoutDescriptor, PrimitiveState, PrimitiveTopology, RenderPipeline, RenderPipelineDescriptor,
-    SamplerBindingType, ShaderModule, ShaderModuleDescriptor, ShaderSource, ShaderStages, TextureSampleType, TextureViewDimension,
-    VertexBufferLayout, VertexState, VertexStepMode, vertex_attr_array,
+    BindGroupLayout, BindGroupLayoutDescriptor, BindGroupLayoutEntry, BindingType, BlendState, BufferBindingType, ColorTargetState,
+    ColorWrites, Device, Face, FragmentState, PipelineCompilationOptions, PipelineLayout, PipelineLayoutDescriptor, PrimitiveState,
+    PrimitiveTopology, RenderPipeline, RenderPipelineDescriptor, SamplerBindingType, ShaderModule, ShaderModuleDescriptor, ShaderSource,
+    ShaderStages, TextureSampleType, TextureViewDimension, VertexBufferLayout, VertexState, VertexStepMode, vertex_attr_array,
 };
 
 use crate::pack::TileVertex;
@@ -126,12 +125,12 @@ impl Variant {
         flags.into_iter().filter_map(|(name, on)| on.then_some(name)).collect()
     }
 
-    fn source(&self, pass: &str) -> String {
-        format!(
-            "const MARCHED: u32 = {}u;\n{}",
-            self.marched.max(1),
-            assemble(&[SHARED[0], SHARED[1], SHARED[2], SHARED[3], pass], &self.flags())
-        )
+    /// The shader of a pass, for a target with so many samples.
+    fn source(&self, pass: &str, samples: u32) -> String {
+        let mut flags = self.flags();
+        flags.extend((samples > 1).then_some("SAMPLES"));
+        let text = assemble(&[SHARED[0], SHARED[1], SHARED[2], SHARED[3], pass], &flags);
+        format!("const MARCHED: u32 = {}u;\nconst SAMPLES: u32 = {samples}u;\n{text}", self.marched.max(1))
     }
 }
 
@@ -174,7 +173,6 @@ impl Pipelines {
             primitive: PrimitiveState::default(),
             write_depth: true,
             blend: None,
-            to_coverage: false,
         };
         let blend = Some(BlendState::PREMULTIPLIED_ALPHA_BLENDING);
         let fins = Pass {
@@ -185,7 +183,6 @@ impl Pipelines {
             primitive: PrimitiveState { topology: PrimitiveTopology::TriangleStrip, ..PrimitiveState::default() },
             write_depth: false,
             blend,
-            to_coverage: false,
         };
         let shells = Pass {
             source: include_str!("shaders/shells.wgsl"),
@@ -198,8 +195,8 @@ impl Pipelines {
             buffers: 2,
             primitive: PrimitiveState { cull_mode: Some(Face::Back), ..PrimitiveState::default() },
             write_depth: variant.depth != Depth::Tested,
-            blend: if variant.depth == Depth::Coverage { Some(COVERING) } else { blend },
-            to_coverage: variant.depth == Depth::Coverage && self.target.samples > 1,
+            // A sample that is drawn is replaced.
+            blend: blend.filter(|_| variant.depth != Depth::Coverage),
         };
         PassPipelines {
             surface: self.pipeline(device, &surface, variant),
@@ -222,7 +219,7 @@ impl Pipelines {
                 },
                 primitive: pass.primitive,
                 depth_stencil: Some(self.target.depth_state(pass.write_depth)),
-                multisample: MultisampleState { alpha_to_coverage_enabled: pass.to_coverage, ..self.target.multisample_state() },
+                multisample: self.target.multisample_state(),
                 fragment: Some(FragmentState {
                     module: &module,
                     entry_point: Some(pass.fragment),
@@ -243,16 +240,10 @@ impl Pipelines {
     fn module(&self, device: &Device, pass: &Pass<'_>, variant: Variant) -> ShaderModule {
         device.create_shader_module(ShaderModuleDescriptor {
             label: Some(pass.vertex),
-            source: ShaderSource::Wgsl(variant.source(pass.source).into()),
+            source: ShaderSource::Wgsl(variant.source(pass.source, self.target.samples).into()),
         })
     }
 }
-
-/// A sample that is drawn is replaced; what the target's alpha says of coverage only grows.
-const COVERING: BlendState = BlendState {
-    color: BlendComponent { src_factor: BlendFactor::One, dst_factor: BlendFactor::Zero, operation: BlendOperation::Add },
-    alpha: BlendComponent { src_factor: BlendFactor::One, dst_factor: BlendFactor::OneMinusSrcAlpha, operation: BlendOperation::Add },
-};
 
 /// What differs between the passes.
 struct Pass<'a> {
@@ -264,7 +255,6 @@ struct Pass<'a> {
     primitive: PrimitiveState,
     write_depth: bool,
     blend: Option<BlendState>,
-    to_coverage: bool,
 }
 
 /// The vertex buffers of shells: patch vertices, and which shell.

@@ -78,8 +78,8 @@ pub enum ShellDepth {
     },
     /// Depth only tested, as in NVIDIA's sample: fur of a part behind may show through the fur of a part before it.
     Tested,
-    /// No blending: opacity is the share of a pixel's samples that are drawn (alpha to coverage), with depth. With one sample a pixel it is all or
-    /// nothing.
+    /// No blending: opacity is the share of a pixel's samples that are drawn (alpha to coverage), with depth, rounded by a noise that stands still on the
+    /// screen. With one sample a pixel it is all or nothing.
     Coverage {
         /// Opacity under which a pixel counts as empty and is left out; 0 to 1.
         threshold: f32,

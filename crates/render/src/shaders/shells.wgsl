@@ -257,12 +257,30 @@ fn shell_blended(in: ShellVertex) -> @location(0) vec4f {
     return shell_colour(in);
 }
 
-// Opacity as the share of a pixel's samples: no blending, and no order that matters.
+// Opacity as the share of a pixel's samples: no blending, and no order that matters. The device's own way from alpha to samples would write that alpha where
+// a sample is all hair, and give one layer the samples that it gave the one below.
+struct Covering {
+    @location(0) colour: vec4f,
+#if SAMPLES
+    @builtin(sample_mask) samples: u32,
+#endif
+};
+
 @fragment
-fn shell_covering(in: ShellVertex) -> @location(0) vec4f {
+fn shell_covering(in: ShellVertex) -> Covering {
     let colour = shell_colour(in);
     if colour.a < frame.fur.z {
         discard;
     }
-    return vec4f(colour.rgb / colour.a, colour.a);
+    let drawn = vec4f(colour.rgb / colour.a, 1.0);
+#if SAMPLES
+    // How many, rounded by a hash of the pixel (Jimenez 2014) and the shell, so that the mean is kept; and which, another half turn on for each shell.
+    let hash = fract(52.9829189 * fract(dot(floor(in.position.xy), vec2f(0.06711056, 0.00583715))) + 0.618034 * f32(in.shell.y));
+    let count = min(u32(colour.a * f32(SAMPLES) + hash), SAMPLES);
+    let first = u32(hash * f32(SAMPLES)) + 2u * in.shell.y;
+    let run = ((1u << count) - 1u) << (first % SAMPLES);
+    return Covering(drawn, (run | (run >> SAMPLES)) & ((1u << SAMPLES) - 1u));
+#else
+    return Covering(drawn);
+#endif
 }
