@@ -2,7 +2,7 @@
 
 use std::sync::{Arc, Mutex, PoisonError};
 
-use wgpu::{Adapter, Device, DeviceDescriptor, Features, Instance, InstanceDescriptor, Queue, RequestAdapterOptions};
+use wgpu::{Adapter, Device, DeviceDescriptor, Features, Instance, InstanceDescriptor, PollType, Queue, RequestAdapterOptions};
 
 use crate::RenderError;
 
@@ -63,12 +63,8 @@ impl Headless {
         let on_error = Arc::clone(&reports);
         device.on_uncaptured_error(Arc::new(move |error: wgpu::Error| lock(&on_error).errors.push(error.to_string())));
         let on_loss = Arc::clone(&reports);
-        device.set_device_lost_callback(move |reason, message| {
-            // Destroyed is what dropping it on purpose is called.
-            if reason != wgpu::DeviceLostReason::Destroyed {
-                lock(&on_loss).lost = Some(message);
-            }
-        });
+        // Destroyed on purpose it is lost all the same to whoever still draws with it.
+        device.set_device_lost_callback(move |reason, message| lock(&on_loss).lost = Some(format!("{reason:?}: {message}")));
         Ok(Self { adapter, device, queue, summary, reports })
     }
 
@@ -102,6 +98,10 @@ impl Headless {
     /// # Errors
     /// [`RenderError::Lost`] from the loss on; [`RenderError::Validation`] once for what was reported since it was last asked.
     pub fn check(&self) -> Result<(), RenderError> {
+        // A loss is told when the device is asked; nothing else is waited for. If it answers with an error, that is kept with the others.
+        if let Err(error) = self.device.poll(PollType::Poll) {
+            lock(&self.reports).errors.push(error.to_string());
+        }
         let mut reports = lock(&self.reports);
         if let Some(lost) = &reports.lost {
             return Err(RenderError::Lost(lost.clone()));

@@ -196,6 +196,7 @@ impl Pipelines {
             buffers: 2,
             primitive: PrimitiveState { cull_mode: Some(Face::Back), ..PrimitiveState::default() },
             write_depth: variant.depth != Depth::Tested,
+            // A sample that is drawn is replaced.
             blend: blend.filter(|_| variant.depth != Depth::Coverage),
         };
         PassPipelines {

@@ -4,21 +4,25 @@
 
 mod support;
 
-use std::sync::Arc;
+use std::collections::BTreeSet;
+use std::sync::{Arc, Mutex};
 
 use glam::{Mat4, Vec2, Vec3};
 use pelage_coat::{Camera, Coat, CoatError, FinEdges, Irradiance, Lights, MipImage, PatchMesh, ShellTexture, Surface};
 use pelage_lighting::TableLayout;
 use pelage_render::{
-    LightingMode, Offscreen, Options, RenderError, Renderer, ShellDepth, ShellRange, Target, View, Viewpoint, render_picture,
+    Detail, FinRule, Headless, LightingMode, March, Offscreen, Options, RenderError, Renderer, ShadowOptions, ShellDepth, ShellRange,
+    Target, View, Viewpoint, render_picture,
 };
 use wgpu::{
     Color, CommandEncoderDescriptor, Extent3d, LoadOp, Operations, RenderPassColorAttachment, RenderPassDepthStencilAttachment,
     RenderPassDescriptor, StoreOp, TextureDescriptor, TextureDimension, TextureFormat, TextureUsages, TextureViewDescriptor,
 };
 
-use support::samples::background;
-use support::{SIZE, ball, camera, headless, mean_coverage, picture, sampled, view};
+use support::samples::hair::Recipe;
+use support::samples::{Dice, Style, background, coat, shapes};
+use support::stage::Stage;
+use support::{SIZE, ball, camera, difference, headless, mean_coverage, picture, sampled, view};
 
 fn draw(coat: &Coat, view: &View, size: (u32, u32), samples: u32) -> Result<pelage_render::Picture, RenderError> {
     let picture = render_picture(headless(), coat, view, size, samples, &background());
@@ -143,7 +147,7 @@ fn more_than_the_device_holds_is_refused_before_drawing() {
 
 #[test]
 fn errors_of_the_device_are_kept_not_printed() {
-    let own = pelage_render::Headless::new().unwrap_or_else(|error| panic!("{error}"));
+    let own = Headless::new().unwrap_or_else(|error| panic!("{error}"));
     // Nothing may be both mapped for reading and bound as storage.
     let _ = own.device().create_buffer(&wgpu::BufferDescriptor {
         label: None,
@@ -161,8 +165,9 @@ fn every_option_draws_without_complaint() {
         for shell_depth in [ShellDepth::Tested, ShellDepth::Written { threshold: 0.5 }] {
             for left_out in [None, Some(3)] {
                 let layers = ShellRange { first: 2, end: 6, left_out };
-                let options = Options { lighting, shell_depth, layers, anisotropy: 16, ..Options::default() };
-                for samples in [1, 4] {
+                // With several samples a software adapter takes its time for it.
+                for (samples, anisotropy) in [(1, 16), (4, 2)] {
+                    let options = Options { lighting, shell_depth, layers, anisotropy, ..Options::default() };
                     assert!(mean_coverage(&sampled(&ball(), &view(options), samples)) > 0.1);
                 }
             }
@@ -178,6 +183,253 @@ fn many_coats_share_one_upload_of_textures() {
     let second = offscreen.renderer().upload_sharing(device, queue, &ball(), first.textures()).expect("a coat");
     let draw = |coat| offscreen.render(coat, &view(Options::default()), &background()).expect("a picture").rgba;
     assert!(draw(&first) == draw(&second));
+}
+
+#[test]
+fn several_threads_draw_with_one_target() {
+    let target = Offscreen::new(headless(), SIZE, 1).expect("a target");
+    let uploaded = target.upload(&ball()).expect("a coat");
+    let draw = |length_scale| {
+        target.render(&uploaded, &view(Options { length_scale, ..Options::default() }), &background()).expect("a picture").rgba
+    };
+    let alone = [0.5, 1.0, 1.5].map(draw);
+    std::thread::scope(|scope| {
+        let threads = [0, 1, 2, 0, 1, 2].map(|k| (k, scope.spawn(move || draw([0.5, 1.0, 1.5][k]))));
+        for (k, thread) in threads {
+            assert!(thread.join().expect("no panic") == alone[k]);
+        }
+    });
+    assert_eq!(headless().take_errors(), Vec::<String>::new());
+}
+
+#[test]
+fn a_step_of_a_ten_thousandth_changes_little_wherever_the_eye_is() {
+    // On the skin, in the fur, at the tips, behind the near plane of what it looks at, within the ball.
+    let radius = 0.288_675_13_f32;
+    let out = Vec3::new(0.3, 0.2, 0.93).normalize();
+    for height in [-0.2, 0.0, 1e-3, 0.02, 0.045, 0.06] {
+        for near in [1e-4] {
+            for ahead in [out, out.cross(Vec3::Y).normalize(), -out] {
+                let at = |step: Vec3| {
+                    let eye = out * (radius + height) + 1e-4 * step;
+                    let camera = Camera { eye, target: eye + ahead + 0.1 * Vec3::X, up: Vec3::Y, field_of_view: 1.0, near };
+                    sampled(&ball(), &View { camera, ..view(Options::default()) }, 4)
+                };
+                let here = at(Vec3::ZERO);
+                for step in [Vec3::X, Vec3::Z] {
+                    let (mean, _) = difference(&here, &at(step));
+                    assert!(mean < 2.55, "{height} above the skin, near {near}, looking {ahead}, moved along {step}: {mean} of 255");
+                }
+            }
+        }
+    }
+}
+
+#[test]
+fn near_planes_and_lengths_at_their_extremes_draw() {
+    let eye = 1.2 * Vec3::Z;
+    for near in [1e-4, 1e-2, 1.0, 10.0] {
+        let camera = Camera { eye, near, ..camera() };
+        let seen = picture(&ball(), &View { camera, ..view(Options::default()) });
+        // From beyond the middle on one sees the ball from within.
+        assert_eq!(near <= 1.0, seen.coverage.contains(&255), "near {near}");
+        assert_eq!(near >= 10.0, seen.coverage.iter().all(|&c| c == 0), "near {near}");
+    }
+    for length_scale in [1e-30, 1e3, 2e7, f32::MAX] {
+        for options in every_feature() {
+            let result = draw(&ball(), &view(Options { length_scale, ..options }), SIZE, 1);
+            assert!(result.is_ok() || matches!(result, Err(RenderError::View { .. })), "{length_scale}: {result:?}");
+        }
+    }
+}
+
+/// Options that do most at once.
+fn every_feature() -> [Options; 2] {
+    let most = Options {
+        lighting: LightingMode::Formula,
+        hair_shadow: 0.7,
+        shadows: Some(ShadowOptions { side: 64 }),
+        fin_segments: 4,
+        hidden: true,
+        ..Options::default()
+    };
+    [most, Options { march: March { layers: 2, steps: 2 }, fin_rule: FinRule::All, ..most }]
+}
+
+#[test]
+fn one_face_and_bare_coats_draw_with_everything_on() {
+    let mut one = ball();
+    one.patches.faces.truncate(1);
+    one.patches.patch_ends = vec![1];
+    let mut bare = ball();
+    bare.surface.offsets.fill(Vec3::ZERO);
+    let mut empty = ball();
+    empty.surface = Surface::default();
+    empty.patches = PatchMesh::default();
+    empty.edges = FinEdges::default();
+    for options in every_feature() {
+        let whole = picture(&one, &view(options));
+        assert_eq!((whole.frame.faces_furred, whole.frame.patches), (1, 1));
+        let bald = picture(&bare, &view(options));
+        assert_eq!((bald.frame.shells_drawn, bald.frame.fins_drawn, bald.frame.faces_drawn), (0, 0, 0));
+        assert!(bald.coverage.contains(&255));
+        assert!(picture(&empty, &view(options)).coverage.iter().all(|&c| c == 0));
+    }
+}
+
+#[test]
+fn targets_of_several_sizes_share_a_device() {
+    // As a window does that is resized: each size is drawn as it is alone, and one comes back the same.
+    let sizes = [(96, 72), (33, 7), (1, 200), (0, 40), (96, 72)];
+    let pictures = sizes.map(|size| draw(&ball(), &view(every_feature()[0]), size, 4).expect("a picture"));
+    for (picture, size) in pictures.iter().zip(sizes) {
+        assert_eq!((picture.width, picture.height, picture.coverage.len() as u32), (size.0, size.1, size.0 * size.1));
+    }
+    assert!(pictures[0].rgba == pictures[4].rgba);
+}
+
+#[test]
+fn a_lost_device_is_reported_and_a_new_one_draws_the_same() {
+    let view = view(every_feature()[0]);
+    let mut pictures = Vec::new();
+    for _ in 0..2 {
+        let own = Headless::new().expect("an adapter");
+        let target = Offscreen::new(&own, SIZE, 4).expect("a target");
+        let uploaded = target.upload(&ball()).expect("a coat");
+        pictures.push(target.render(&uploaded, &view, &background()).expect("a picture"));
+        own.device().destroy();
+        for _ in 0..2 {
+            let error = target.render(&uploaded, &view, &background()).expect_err("lost");
+            assert!(matches!(error, RenderError::Lost(_)), "{error}");
+            let error = target.time(&uploaded, &view, &background(), 1).expect_err("lost");
+            assert!(matches!(error, RenderError::Lost(_)), "{error}");
+        }
+        assert!(matches!(own.check(), Err(RenderError::Lost(_))));
+        assert!(matches!(Offscreen::new(&own, SIZE, 4), Err(RenderError::Lost(_))));
+    }
+    assert!(pictures[0].rgba == pictures[1].rgba);
+}
+
+#[test]
+fn five_lights_are_refused() {
+    let mut many = view(Options::default());
+    many.lights.directional = vec![many.lights.directional[0]; 5];
+    assert_eq!(draw(&ball(), &many, SIZE, 1).expect_err("refused"), RenderError::Lights { found: 5, limit: 4 });
+    many.lights.directional.truncate(4);
+    assert!(draw(&ball(), &many, SIZE, 1).is_ok());
+}
+
+/// A ball with a direction map, levels of detail, and hair that bends and is cut, or without these.
+fn furry(bent: bool, cut: bool, map: bool, levels: bool) -> Coat {
+    let hair = Recipe { layers: 6, resolution: 16, guard_hairs: 30, under_hairs: 30, radius: 0.05, levels, ..Recipe::default() }.grow();
+    let mut furry = coat(&shapes::sphere(4, 4.0), Style { length: 0.06, ..Style::default() }, &hair);
+    for i in 0..furry.surface.positions.len() {
+        let position = furry.surface.positions[i];
+        if bent {
+            furry.surface.bends[i] = 0.02 * position;
+        }
+        if cut {
+            furry.surface.ends[i] = (0.5 + 2.0 * position.x).clamp(0.0, 1.0);
+        }
+    }
+    if map {
+        let mut shells = (*furry.shells).clone();
+        let flat = |mip: &MipImage| MipImage { texels: [140, 120, 220, 0].repeat(mip.texels.len() / 4), ..mip.clone() };
+        shells.directions = Some(shells.mips.iter().map(flat).collect());
+        furry.shells = Arc::new(shells);
+    }
+    furry
+}
+
+/// What there is to choose among, and how much of each.
+const CHOICES: [usize; 13] = [4, 3, 3, 2, 2, 3, 4, 2, 2, 3, 2, 2, 2];
+
+/// Few lists of choices in which any two choices of any two kinds meet.
+fn covering() -> Vec<[usize; CHOICES.len()]> {
+    let mut open = BTreeSet::new();
+    for a in 0..CHOICES.len() {
+        for b in a + 1..CHOICES.len() {
+            open.extend((0..CHOICES[a]).flat_map(|x| (0..CHOICES[b]).map(move |y| (a, x, b, y))));
+        }
+    }
+    let mut dice = Dice::new(3);
+    let mut rows = Vec::new();
+    while !open.is_empty() {
+        let roll = |dice: &mut Dice| -> [usize; CHOICES.len()] { std::array::from_fn(|k| (dice.roll() * CHOICES[k] as f32) as usize) };
+        let met = |row: &[usize; CHOICES.len()]| open.iter().filter(|&&(a, x, b, y)| row[a] == x && row[b] == y).count();
+        let best = (0..300).map(|_| roll(&mut dice)).max_by_key(met).unwrap_or_default();
+        open.retain(|&(a, x, b, y)| best[a] != x || best[b] != y);
+        rows.push(best);
+    }
+    rows
+}
+
+#[test]
+fn any_two_options_draw_together_without_complaint() {
+    let rows = covering();
+    assert!(rows.len() < 40, "{}", rows.len());
+    let targets = [(1, true), (4, true), (1, false), (4, false)].map(|(samples, reversed_depth)| {
+        let target = Target { reversed_depth, ..Target::new(TextureFormat::Rgba8UnormSrgb, samples) };
+        Stage::on(headless().device(), headless().queue(), target)
+    });
+    for row in rows {
+        let [lighting, depth, march, hair_shadow, shadows, detail, target, bent, cut, rule, map, segments, culling] = row;
+        let options = Options {
+            lighting: [LightingMode::PerPatch, LightingMode::PerVertex, LightingMode::Formula, LightingMode::Table(TableLayout::default())]
+                [lighting],
+            shell_depth: [ShellDepth::default(), ShellDepth::Tested, ShellDepth::Coverage { threshold: 0.1 }][depth],
+            march: [March::default(), March { layers: 2, steps: 1 }, March { layers: 1, steps: 3 }][march],
+            hair_shadow: [0.0, 0.8][hair_shadow],
+            shadows: [None, Some(ShadowOptions { side: 32 })][shadows],
+            detail: [Detail::Level(0.0), Detail::Level(0.8), Detail::Level(2.0)][detail],
+            fin_rule: [FinRule::Faded, FinRule::Silhouette { threshold: 0.1 }, FinRule::All][rule],
+            fin_segments: [1, 4][segments],
+            culling: culling == 1,
+            anisotropy: [1, 2][culling],
+            ..Options::default()
+        };
+        let stage = &targets[target];
+        let uploaded = stage.upload(&furry(bent == 1, cut == 1, map == 1, detail > 0));
+        let prepared = stage.prepare(&uploaded, &view(options));
+        let pixels = stage.frame(&uploaded, &prepared);
+        assert_eq!(headless().take_errors(), Vec::<String>::new(), "{options:?}");
+        let covered = pixels.chunks_exact(4).filter(|pixel| pixel[3] == 255).count();
+        assert!((1500..4500).contains(&covered), "{covered} pixels: {options:?}");
+        assert!(pixels.chunks_exact(4).all(|pixel| pixel[3] < 255 || pixel[0] > 0), "no black: {options:?}");
+    }
+}
+
+#[test]
+fn depth_from_near_to_far_or_from_far_to_near_is_the_same_picture() {
+    let pictures = [true, false].map(|reversed_depth| {
+        let target = Target { reversed_depth, ..Target::new(TextureFormat::Rgba8UnormSrgb, 4) };
+        let stage = Stage::on(headless().device(), headless().queue(), target);
+        let uploaded = stage.upload(&furry(true, true, false, true));
+        stage.frame(&uploaded, &stage.prepare(&uploaded, &view(every_feature()[0])))
+    });
+    // Where surfaces cut through each other, rounding decides.
+    let off = pictures[0].iter().zip(&pictures[1]).filter(|(a, b)| a.abs_diff(**b) > 2).count();
+    assert!(off < pictures[0].len() / 100, "{off} of {}", pictures[0].len());
+}
+
+#[test]
+fn a_device_with_no_more_than_wgpus_default_limits_draws_everything() {
+    let own = Headless::new().expect("an adapter");
+    let descriptor = wgpu::DeviceDescriptor { required_limits: wgpu::Limits::default(), ..wgpu::DeviceDescriptor::default() };
+    let (device, queue) = pollster::block_on(own.adapter().request_device(&descriptor)).expect("a device");
+    let errors = Arc::new(Mutex::new(Vec::new()));
+    let heard = Arc::clone(&errors);
+    device.on_uncaptured_error(Arc::new(move |error: wgpu::Error| heard.lock().expect("whole").push(error.to_string())));
+    let shared = Stage::on(headless().device(), headless().queue(), Target::new(TextureFormat::Rgba8UnormSrgb, 4));
+    let stage = Stage::on(&device, &queue, Target::new(TextureFormat::Rgba8UnormSrgb, 4));
+    for options in every_feature() {
+        let frame = |stage: &Stage| {
+            let uploaded = stage.upload(&furry(true, true, true, true));
+            stage.frame(&uploaded, &stage.prepare(&uploaded, &view(Options { detail: Detail::Level(0.8), ..options })))
+        };
+        assert!(frame(&stage) == frame(&shared));
+    }
+    assert_eq!(*errors.lock().expect("whole"), Vec::<String>::new());
 }
 
 /// Draws two coats into one pass of our own, with near depth 0, and gives back how many pixels are covered.

@@ -6,14 +6,14 @@ mod support;
 use std::sync::Arc;
 
 use glam::{DVec3, Vec3};
-use pelage_coat::{Camera, Coat, Irradiance, Light, Lights, MipImage, PatchMesh, ShellTexture};
+use pelage_coat::{Camera, Coat, Irradiance, Light, Lights, MipImage, ShellTexture};
 use pelage_lighting::{DirectionalLight, Illumination, SelfShadow};
 use pelage_render::{LightingMode, Options, Picture, RenderError, ShadowOptions, ShellDepth, ShellRange, View};
 
 use support::samples::hair::encode;
 use support::samples::{Style, background, coat, shapes};
 use support::stage::Stage;
-use support::{SIZE, ball, bytes, decode, difference, flat_hair, headless, offscreen, picture};
+use support::{SIZE, ball, bytes, decode, difference, flat_hair, headless, offscreen, picture, twice};
 
 /// From straight above: 36 pixels are 0.36.
 fn above() -> Camera {
@@ -148,38 +148,18 @@ const FUR: Vec3 = Vec3::new(0.0, 0.16, 0.02);
 
 /// A bare floor, and above it a small square with fur that sticks out beyond its edge: four shells of one even opacity.
 fn over_a_floor(alpha: u8) -> Coat {
-    let shape = shapes::square(4, 3.0);
-    let mut coat = coat(&shape, Style::default(), &flat_hair(2, Vec3::ONE));
-    let count = shape.positions.len();
-    let surface = &mut coat.surface;
-    surface.offsets.fill(Vec3::ZERO);
     let small = 2.0 * HALF / std::f32::consts::FRAC_1_SQRT_2;
-    surface.positions.extend(shape.positions.iter().map(|&p| small * p + FLOATING));
-    surface.offsets.extend(vec![FUR; count]);
-    for array in [&mut surface.normals, &mut surface.bends, &mut surface.directions] {
-        array.extend_from_within(..);
-    }
-    surface.ends.extend_from_within(..);
-    surface.colours = vec![Vec3::ONE; 2 * count];
-    double(&mut coat.patches, count as u32);
+    let floor = coat(&shapes::square(4, 3.0), Style::default(), &flat_hair(2, Vec3::ONE));
+    let count = floor.surface.positions.len();
+    let mut coat = twice(&floor, |p| small * p + FLOATING);
+    coat.surface.offsets[..count].fill(Vec3::ZERO);
+    coat.surface.offsets[count..].fill(FUR);
+    coat.surface.colours.fill(Vec3::ONE);
     let texel = |a: u8| encode([1.0, 1.0, 1.0, 1.0].map(|c| c * f32::from(a) / 255.0));
     let texels = [255, alpha, alpha, alpha, alpha].into_iter().flat_map(texel).collect();
     coat.shells = Arc::new(ShellTexture::stack(5, vec![MipImage { width: 1, height: 1, texels }]));
     coat.fin = None;
     coat
-}
-
-/// The same patches once more, on vertices of their own.
-fn double(patches: &mut PatchMesh, vertices: u32) {
-    let (corners, faces) = (patches.vertices.len() as u32, patches.faces.len() as u32);
-    patches.vertices.extend_from_within(..);
-    patches.vertices[corners as usize..].iter_mut().for_each(|v| *v += vertices);
-    patches.coordinates.extend_from_within(..);
-    patches.faces.extend_from_within(..);
-    patches.faces[faces as usize..].iter_mut().for_each(|face| *face = face.map(|corner| corner + corners));
-    patches.patch_ends.extend_from_within(..);
-    let patches_before = patches.patch_ends.len() / 2;
-    patches.patch_ends[patches_before..].iter_mut().for_each(|end| *end += faces);
 }
 
 fn lights() -> Lights {

@@ -7,7 +7,7 @@ use pelage_coat::{Camera, Coat};
 use pelage_render::{Options, Picture, View};
 
 use support::samples::{Style, coat, light, shapes};
-use support::{SIZE, ball, hair, picture, view};
+use support::{SIZE, ball, hair, picture, twice, view};
 
 /// The ball with hair that bends, and is cut ever shorter towards one side.
 fn bent_and_cut() -> Coat {
@@ -22,24 +22,7 @@ fn bent_and_cut() -> Coat {
 
 /// A small furry ball behind the other, to be hidden by it.
 fn one_behind_the_other() -> Coat {
-    let mut pair = ball();
-    let count = pair.surface.positions.len();
-    let moved: Vec<Vec3> = pair.surface.positions.iter().map(|&p| 0.3 * p - 2.0 * Vec3::Z).collect();
-    pair.surface.positions.extend(moved);
-    for array in [&mut pair.surface.normals, &mut pair.surface.offsets, &mut pair.surface.bends, &mut pair.surface.directions] {
-        array.extend_from_within(..);
-    }
-    pair.surface.colours.extend_from_within(..);
-    pair.surface.ends.extend_from_within(..);
-    let corners = pair.patches.vertices.len() as u32;
-    let vertices = pair.patches.vertices.clone();
-    pair.patches.vertices.extend(vertices.iter().map(|v| v + count as u32));
-    pair.patches.coordinates.extend_from_within(..);
-    let faces = pair.patches.faces.clone();
-    pair.patches.faces.extend(faces.iter().map(|face| face.map(|corner| corner + corners)));
-    let ends = pair.patches.patch_ends.clone();
-    pair.patches.patch_ends.extend(ends.iter().map(|end| end + faces.len() as u32));
-    pair
+    twice(&ball(), |p| 0.3 * p - 2.0 * Vec3::Z)
 }
 
 /// From before, from near, from within the fur, from the skin, and past the ball.

@@ -119,3 +119,22 @@ pub fn decode(texel: [u8; 4]) -> [f32; 4] {
     };
     [linear(texel[0]), linear(texel[1]), linear(texel[2]), f32::from(texel[3]) / 255.0]
 }
+
+/// A coat and the same once more somewhere else, in patches of its own behind the first's.
+pub fn twice(coat: &Coat, place: impl Fn(Vec3) -> Vec3) -> Coat {
+    let mut pair = coat.clone();
+    let surface = &mut pair.surface;
+    surface.positions.extend(coat.surface.positions.iter().map(|&p| place(p)));
+    for array in [&mut surface.normals, &mut surface.offsets, &mut surface.bends, &mut surface.directions, &mut surface.colours] {
+        array.extend_from_within(..);
+    }
+    surface.ends.extend_from_within(..);
+    let (vertices, corners, faces) =
+        (coat.surface.positions.len() as u32, coat.patches.vertices.len() as u32, coat.patches.faces.len() as u32);
+    let patches = &mut pair.patches;
+    patches.vertices.extend(coat.patches.vertices.iter().map(|vertex| vertex + vertices));
+    patches.coordinates.extend_from_within(..);
+    patches.faces.extend(coat.patches.faces.iter().map(|face| face.map(|corner| corner + corners)));
+    patches.patch_ends.extend(coat.patches.patch_ends.iter().map(|end| end + faces));
+    pair
+}
