@@ -73,7 +73,7 @@ impl Scene {
     pub fn evaluate_measured(evaluator: &mut Evaluator, name: &str, overrides: &[(&str, &str)]) -> Result<Self, Error> {
         Self::run(evaluator, name, overrides, |output| {
             let node = output.split_once('.').map_or(output, |(node, _)| node);
-            Request::main().and_output(&format!("{node}.frame"))
+            Request::output(output).and_output(&format!("{node}.frame"))
         })
     }
 

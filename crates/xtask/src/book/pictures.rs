@@ -15,7 +15,7 @@ struct Picture {
     graph: &'static str,
     /// What is set in it: `NODE.INPUT=VALUE` each.
     set: &'static [&'static str],
-    /// Its size in pixels, `WxH`.
+    /// Its size in pixels, `WxH`; empty: the graph's own.
     size: &'static str,
 }
 
@@ -45,6 +45,17 @@ const PICTURES: &[Picture] = &[
     Picture { file: "ring.png", graph: "graphs/ring.ron", set: &[], size: HALF },
     Picture { file: "ball.png", graph: "graphs/ball.ron", set: &[], size: HALF },
     Picture { file: "die.png", graph: "graphs/die.ron", set: &[], size: HALF },
+    Picture { file: "levels.png", graph: "graphs/levels.ron", set: &[], size: "" },
+    Picture { file: "shadows.png", graph: "graphs/shadows.ron", set: &[], size: HALF },
+    Picture { file: "shadows-off.png", graph: "graphs/shadows.ron", set: &["picture.shadows=false"], size: HALF },
+    Picture { file: "marched.png", graph: "graphs/marched.ron", set: &[], size: HALF },
+    Picture { file: "drawn.png", graph: "graphs/drawn.ron", set: &[], size: HALF },
+    Picture { file: "shorn.png", graph: "graphs/shorn.ron", set: &[], size: HALF },
+    Picture { file: "shared.png", graph: "graphs/shared.ron", set: &[], size: HALF },
+    Picture { file: "one-layer.png", graph: "graphs/straight.ron", set: &[], size: HALF },
+    Picture { file: "blocks.png", graph: "graphs/blocks.ron", set: &[], size: HALF },
+    Picture { file: "fins-all.png", graph: "graphs/figure4.ron", set: &["picture.shells=false", "picture.fins_on=All"], size: HALF },
+    Picture { file: "by-patch.png", graph: "graphs/blocks.ron", set: &["picture.lighting=Patches"], size: HALF },
     Picture { file: "fox.png", graph: "graphs/fox.ron", set: &[], size: HALF },
     Picture { file: "cat.png", graph: "graphs/cat.ron", set: &[], size: HALF },
     Picture { file: "bear.png", graph: "graphs/bear.ron", set: &[], size: HALF },
@@ -65,9 +76,10 @@ pub(crate) fn draw(place: &Place) -> Result<()> {
 
 fn command(place: &Place, picture: &Picture) -> CommandLine {
     let set = picture.set.iter().flat_map(|value| ["--set", value]);
+    let size = [["--size", picture.size]].into_iter().filter(|_| !picture.size.is_empty()).flatten();
     CommandLine::cargo()
         .with(["run", "--quiet", "--release", "--package", "pelage-cli", "--", "render", picture.graph])
-        .with(["--size", picture.size])
+        .with(size)
         .with(set)
         .with(["-o".into(), place.at(FOLDER).join(picture.file)])
         .within(place.root())
@@ -92,7 +104,8 @@ mod tests {
     fn the_table_names_each_file_once() {
         let files: BTreeSet<&str> = PICTURES.iter().map(|picture| picture.file).collect();
         assert_eq!(files.len(), PICTURES.len());
-        assert!(PICTURES.iter().all(|picture| picture.size.split('x').all(|side| side.parse::<u32>().is_ok_and(|side| side > 0))));
+        let sizes = PICTURES.iter().map(|picture| picture.size).filter(|size| !size.is_empty());
+        assert!(sizes.flat_map(|size| size.split('x')).all(|side| side.parse::<u32>().is_ok_and(|side| side > 0)));
     }
 
     #[test]
