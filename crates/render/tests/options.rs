@@ -45,10 +45,9 @@ fn roughness(picture: &Picture) -> f64 {
 }
 
 #[test]
-fn a_march_of_one_layer_and_one_step_is_plain() {
+fn a_march_of_nothing_is_plain() {
     for camera in [squarely(), aslant()] {
         let plain = seen(&square(0.3), camera, Options { step_blur: 0.0, ..Options::default() });
-        assert!(seen(&square(0.3), camera, march(1, 1)).rgba == plain.rgba);
         assert!(seen(&square(0.3), camera, march(0, 0)).rgba == plain.rgba);
     }
 }

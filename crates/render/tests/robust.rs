@@ -347,9 +347,9 @@ const CHOICES: [usize; 13] = [4, 3, 3, 2, 2, 3, 4, 2, 2, 3, 2, 2, 2];
 /// Few lists of choices in which any two choices of any two kinds meet.
 fn covering() -> Vec<[usize; CHOICES.len()]> {
     let mut open = BTreeSet::new();
-    for a in 0..CHOICES.len() {
-        for b in a + 1..CHOICES.len() {
-            open.extend((0..CHOICES[a]).flat_map(|x| (0..CHOICES[b]).map(move |y| (a, x, b, y))));
+    for (a, &first) in CHOICES.iter().enumerate() {
+        for (b, &second) in CHOICES.iter().enumerate().skip(a + 1) {
+            open.extend((0..first).flat_map(|x| (0..second).map(move |y| (a, x, b, y))));
         }
     }
     let mut dice = Dice::new(3);

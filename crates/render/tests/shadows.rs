@@ -123,7 +123,7 @@ fn shade_between_hairs_takes_the_first_light_alone_and_as_much_of_it_as_asked() 
     assert!((half / lit - 0.5).abs() < 0.02, "{half} of {lit}");
     assert!(difference(&at(&sun, 1e-6), &at(&sun, 0.0)).1 <= 1 && at(&sun, -1.0).rgba == at(&sun, 0.0).rgba);
     // Without the first light there is nothing to take.
-    let mut second = one_light(Vec3::X, Vec3::ZERO);
+    let mut second = one_light(Vec3::new(0.3, 0.0, 1.0), Vec3::ZERO);
     second.directional.push(Light { direction: sun.directional[0].direction, colour: Vec3::ONE });
     assert!(difference(&at(&second, 1.0), &at(&second, 0.0)).1 <= 1);
     // From behind the skin no light passes hair on its way.
@@ -148,10 +148,14 @@ const FUR: Vec3 = Vec3::new(0.0, 0.16, 0.02);
 
 /// A bare floor, and above it a small square with fur that sticks out beyond its edge: four shells of one even opacity.
 fn over_a_floor(alpha: u8) -> Coat {
+    floating(alpha, FLOATING)
+}
+
+fn floating(alpha: u8, at: Vec3) -> Coat {
     let small = 2.0 * HALF / std::f32::consts::FRAC_1_SQRT_2;
     let floor = coat(&shapes::square(4, 3.0), Style::default(), &flat_hair(2, Vec3::ONE));
     let count = floor.surface.positions.len();
-    let mut coat = twice(&floor, |p| small * p + FLOATING);
+    let mut coat = twice(&floor, |p| small * p + at);
     coat.surface.offsets[..count].fill(Vec3::ZERO);
     coat.surface.offsets[count..].fill(FUR);
     coat.surface.colours.fill(Vec3::ONE);
@@ -206,6 +210,27 @@ fn shadows_fall_where_geometry_says_and_as_dark_as_what_casts_them_is_opaque() {
         is_near(rgb(&with, x, y + HALF + FUR.y + 0.02), floor(&lights, 1.0), 1, "beyond the fur");
         let without = seen(&coat, &lights, Options::default());
         is_near(rgb(&without, x, y), floor(&lights, 1.0), 1, "without shadows");
+    }
+}
+
+#[test]
+fn the_deeper_under_fur_the_darker() {
+    // Light from straight above, the floor within the first quarter of the fur's length behind the outermost shell: opacity is taken to be spread evenly over it.
+    let lights = one_light(Vec3::Z, Vec3::splat(0.7));
+    let mut last = 255;
+    for height in [0.004, 0.01, 0.02, 0.1] {
+        let coat = floating(77, Vec3::new(0.1, -0.1, height));
+        // The fur casts though it is not drawn.
+        let with = seen(&coat, &lights, Options { shells: false, ..with_shadows(1024) });
+        // What it is moved off the floor by: twice three texels of a map half as wide as all of it.
+        let (low, high) = coat.bounds();
+        let behind = height + FUR.z - 2.0 * 3.0 * 0.5 * (high - low).length() / 1024.0;
+        let reached = (behind / (0.25 * FUR.length())).min(1.0);
+        let through = (1.0 - 77.0 / 255.0_f64).powf(4.0 * f64::from(reached));
+        let found = rgb(&with, 0.11, -0.1 + HALF + 0.02);
+        is_near(found, floor(&lights, through), 4, &format!("{height} above the floor, {reached} of the way"));
+        assert!(found[0] < last, "{height}: {found:?}, {last}");
+        last = found[0];
     }
 }
 
