@@ -57,7 +57,7 @@ impl GpuCoat {
             bind_group,
             tiles: array(device, queue, "patch vertices", BufferUsages::VERTEX | storage, &tiles),
             faces: array(device, queue, "faces", BufferUsages::INDEX, &coat.patches.faces),
-            furred_faces: array(device, queue, "furred faces", BufferUsages::INDEX | storage, &furred.faces),
+            furred_faces: array(device, queue, "furred faces", BufferUsages::INDEX | BufferUsages::COPY_SRC | storage, &furred.faces),
             run_of: array(device, queue, "runs", storage, &furred.run_of),
             runs: furred.runs,
             corner_count: 3 * coat.patches.faces.len() as u32,
