@@ -63,7 +63,7 @@ pub fn compare(headless: &Headless, coat: &Coat, view: &View, faces: &[[u32; 3]]
     for (triangle, fragments) in found.chunks_exact(2).enumerate() {
         let [all, before] = [u64::from(fragments[0]), u64::from(fragments[1])];
         let is_submitted = submitted.contains(&coat.patches.faces[triangle % coat.patches.faces.len()]);
-        let mut add = |size: &mut Size| {
+        let add = |size: &mut Size| {
             size.triangles += 1;
             size.fragments += all;
         };

@@ -6,7 +6,8 @@
 //! - The *plain renderer*: every face for every shell, whichever way it faces, and every edge as a fin, lit as ours: what there is to win.
 //! - The *exact visible set* of triangles (`exact.rs`), and the fragments that it makes.
 //!
-//! `cargo bench -p pelage-tests --bench spine`; `-- ROUNDS` for another number of rounds than 20. Models: the bunny as shipped, and `t1_bunny_5000` of
+//! `cargo bench -p pelage-tests --bench spine`; `-- ROUNDS` for another number of rounds than 20, `-- SECTION …` for some of `stages`,
+//! `floors`, `exact`, `fewer`, `far`, `options`. Models: the bunny as shipped, and `t1_bunny_5000` of
 //! `$PELAGE_MODELS` where that is set, else a ball of 5,120 faces.
 #![allow(clippy::print_stdout, clippy::expect_used, reason = "a benchmark prints and may panic")]
 #![allow(unreachable_pub, reason = "modules of a program")]
@@ -26,41 +27,60 @@ use pelage_render::{Detail, Headless, Offscreen, Options, PassTimes, Target, Vie
 use wgpu::TextureFormat;
 
 use floor::{Floor, FullScreen};
+use pelage_tests::Scene;
 use plain::Plain;
 use race::{Contender, Finish, Fur, print, race};
 use scenes::{Scenes, Textures};
 use stage::{SIZE, Stage};
 
 fn main() {
-    let rounds = std::env::args().skip(1).find_map(|a| a.parse().ok()).unwrap_or(20);
+    let arguments: Vec<String> = std::env::args().skip(1).collect();
+    let rounds = arguments.iter().find_map(|a| a.parse().ok()).unwrap_or(20);
+    let named = SECTIONS.iter().any(|section| arguments.iter().any(|a| a == section));
+    let wanted = |section: &str| !named || arguments.iter().any(|a| a == section);
     let headless = pelage_tests::gpu().expect("an adapter").headless();
     println!("{} at {} × {}, {rounds} rounds", headless.summary().name, SIZE.0, SIZE.1);
     for model in scenes::models().expect("models") {
         let mut scenes = Scenes::new(&model);
         let start = Instant::now();
         let scene = scenes.whole().expect("a picture");
-        let total = start.elapsed().as_secs_f64() * 1e3;
-        println!("\n{}: from OBJ to picture, cold", model.name);
-        for entry in scene.trace() {
-            println!("{:12} {:16} {:9.1} ms", entry.node.to_string(), entry.kind, entry.ms);
+        if wanted("stages") {
+            stages(&model.name, &scene, start.elapsed().as_secs_f64() * 1e3);
         }
-        println!("{:29} {total:9.1} ms", "everything included");
         let coat = scene.coat().expect("a coat");
         let (view, _) = scene.view(&coat).expect("a view");
         let bench = Bench { headless, view, rounds };
-        for samples in [1, 4] {
-            bench.beside_floors(&coat, samples, &format!("{}, 16 shells", model.name));
+        if wanted("floors") {
+            bench.beside_floors(&coat, 1, &format!("{}, 16 shells", model.name));
+            bench.beside_floors(&coat, 4, &format!("{}, 16 shells", model.name));
         }
-        bench.beside_exact_set(&coat);
-        for layers in ["8", "4"] {
+        if wanted("exact") {
+            bench.beside_exact_set(&coat);
+        }
+        for layers in ["8", "4"].iter().filter(|_| wanted("fewer")) {
             let fewer = scenes.coat(Textures { set: &[("shells.layers", layers)], ..Textures::default() }).expect("a coat");
             bench.beside_floors(&fewer, 1, &format!("{}, {layers} shells", model.name));
         }
-        let levels = scenes.coat(Textures { through: &["LevelsOfDetail"], ..Textures::default() }).expect("a coat");
-        bench.far(&levels, &model.name);
-        bench.options(&coat, &mut scenes, &model.name);
+        if wanted("far") {
+            let levels = scenes.coat(Textures { through: &["LevelsOfDetail"], ..Textures::default() }).expect("a coat");
+            bench.far(&levels, &model.name);
+        }
+        if wanted("options") {
+            bench.options(&coat, &mut scenes, &model.name);
+        }
     }
     headless.check().expect("no validation error");
+}
+
+/// What can be asked for by name; without names, all.
+const SECTIONS: [&str; 6] = ["stages", "floors", "exact", "fewer", "far", "options"];
+
+fn stages(name: &str, scene: &Scene, total: f64) {
+    println!("\n{name}: from OBJ to picture, cold");
+    for entry in scene.trace() {
+        println!("{:12} {:16} {:9.1} ms", entry.node.to_string(), entry.kind, entry.ms);
+    }
+    println!("{:29} {total:9.1} ms", "everything included");
 }
 
 /// What all sections share.
