@@ -170,7 +170,7 @@ fn over(below: &mut [f32; 4], colour: Vec3, alpha: f32) {
 }
 
 /// Halved by means of four, down to one texel; layer after layer in each level.
-fn mips(mut stack: Vec<Vec<[f32; 4]>>, mut width: usize, mut height: usize) -> Vec<MipImage> {
+pub fn mips(mut stack: Vec<Vec<[f32; 4]>>, mut width: usize, mut height: usize) -> Vec<MipImage> {
     let mut levels = Vec::new();
     loop {
         let texels = stack.iter().flatten().flat_map(|texel| encode(*texel)).collect();
@@ -198,4 +198,11 @@ pub fn encode(texel: [f32; 4]) -> [u8; 4] {
     let srgb = |x: f32| if x <= 0.003_130_8 { 12.92 * x } else { 1.055 * x.powf(1.0 / 2.4) - 0.055 };
     let byte = |x: f32| (255.0 * x.clamp(0.0, 1.0)).round() as u8;
     [byte(srgb(texel[0])), byte(srgb(texel[1])), byte(srgb(texel[2])), byte(texel[3])]
+}
+
+/// The way back.
+pub fn decode(texel: [u8; 4]) -> [f32; 4] {
+    let linear = |x: f32| if x <= 0.040_45 { x / 12.92 } else { ((x + 0.055) / 1.055).powf(2.4) };
+    let [r, g, b, a] = texel.map(|byte| f32::from(byte) / 255.0);
+    [linear(r), linear(g), linear(b), a]
 }

@@ -3,6 +3,7 @@
 
 mod edges;
 pub mod hair;
+pub mod levels;
 pub mod shapes;
 
 use std::sync::Arc;

@@ -4,6 +4,48 @@ use wgpu::{Buffer, CommandEncoder, CommandEncoderDescriptor, Device, Queue};
 
 use crate::{FrameStats, GpuCoat, PreparedView, RenderError, readback};
 
+impl PreparedView {
+    /// What the last [`crate::Renderer::compute`] or [`crate::Renderer::find_hidden`] that was submitted has the device draw; without times. Waits for
+    /// the device.
+    ///
+    /// # Errors
+    /// A lost device.
+    pub fn frame_stats(&self, device: &Device, queue: &Queue, coat: &GpuCoat) -> Result<FrameStats, RenderError> {
+        self.counts(device, queue).read(device, coat, self)
+    }
+
+    /// The faces, as patch vertices, of which it has the device draw the shells: to inspect, and to measure by. Waits for the device.
+    ///
+    /// # Errors
+    /// A lost device.
+    pub fn shell_faces(&self, device: &Device, queue: &Queue, coat: &GpuCoat) -> Result<Vec<[u32; 3]>, RenderError> {
+        let counts = self.counts(device, queue);
+        let drawn = counts.read(device, coat, self)?.faces_drawn;
+        let corners: Vec<u32> = if self.shown.culling {
+            readback::read(device, &counts.survivors, bytemuck::pod_collect_to_vec)?
+        } else {
+            let mut encoder = device.create_command_encoder(&CommandEncoderDescriptor { label: Some("shell faces") });
+            let all = copy(device, &mut encoder, &coat.furred_faces);
+            queue.submit([encoder.finish()]);
+            readback::read(device, &all, bytemuck::pod_collect_to_vec)?
+        };
+        Ok(corners.chunks_exact(3).take(drawn as usize).map(|face| [face[0], face[1], face[2]]).collect())
+    }
+
+    fn counts(&self, device: &Device, queue: &Queue) -> Counts {
+        let mut encoder = device.create_command_encoder(&CommandEncoderDescriptor { label: Some("counts") });
+        let counts = Counts::record(device, &mut encoder, self);
+        queue.submit([encoder.finish()]);
+        counts
+    }
+}
+
+fn copy(device: &Device, encoder: &mut CommandEncoder, from: &Buffer) -> Buffer {
+    let to = readback::readable(device, from.size());
+    encoder.copy_buffer_to_buffer(from, 0, &to, 0, from.size());
+    to
+}
+
 /// Copies of the draws' arguments and of the faces that were picked.
 #[derive(Debug)]
 pub(crate) struct Counts {
@@ -15,11 +57,7 @@ pub(crate) struct Counts {
 impl Counts {
     /// Records the copies, after what picks.
     pub(crate) fn record(device: &Device, encoder: &mut CommandEncoder, view: &PreparedView) -> Self {
-        let mut copy = |from: &Buffer| {
-            let to = readback::readable(device, from.size());
-            encoder.copy_buffer_to_buffer(from, 0, &to, 0, from.size());
-            to
-        };
+        let mut copy = |from: &Buffer| copy(device, encoder, from);
         Self { fins: copy(&view.fins.draws), faces: copy(&view.faces.draws), survivors: copy(&view.faces.survivors) }
     }
 

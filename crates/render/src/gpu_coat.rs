@@ -27,8 +27,9 @@ pub struct GpuCoat {
     pub(crate) corner_count: u32,
     pub(crate) edge_count: u32,
     pub(crate) traits: CoatTraits,
-    /// The longest hair, in diameters.
+    /// The longest and the shortest hair, in diameters.
     pub(crate) length: f32,
+    pub(crate) shortest: f32,
     /// How much of the surface a tile takes at most, in diameters.
     pub(crate) tile_side: f32,
     /// The ball around skin and fur: centre and radius.
@@ -57,7 +58,7 @@ impl GpuCoat {
             bind_group,
             tiles: array(device, queue, "patch vertices", BufferUsages::VERTEX | storage, &tiles),
             faces: array(device, queue, "faces", BufferUsages::INDEX, &coat.patches.faces),
-            furred_faces: array(device, queue, "furred faces", BufferUsages::INDEX | storage, &furred.faces),
+            furred_faces: array(device, queue, "furred faces", BufferUsages::INDEX | BufferUsages::COPY_SRC | storage, &furred.faces),
             run_of: array(device, queue, "runs", storage, &furred.run_of),
             runs: furred.runs,
             corner_count: 3 * coat.patches.faces.len() as u32,
@@ -68,6 +69,7 @@ impl GpuCoat {
                 direction_map: textures.has_directions,
             },
             length: coat.surface.offsets.iter().map(|offset| offset.length()).fold(0.0, f32::max),
+            shortest: coat.surface.offsets.iter().map(|offset| offset.length()).fold(f32::INFINITY, f32::min),
             tile_side: tiles.iter().map(|tile| tile.tile_side).fold(0.0, f32::max),
             ball: ball(coat),
             patch_of: patch_of(coat),

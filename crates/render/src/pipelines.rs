@@ -3,6 +3,7 @@
 use std::collections::HashMap;
 use std::sync::{Mutex, PoisonError};
 
+use glam::Vec3;
 use wgpu::{
     BindGroupLayout, BindGroupLayoutDescriptor, BindGroupLayoutEntry, BindingType, BlendState, BufferBindingType, ColorTargetState,
     ColorWrites, Device, Face, FragmentState, PipelineCompilationOptions, PipelineLayout, PipelineLayoutDescriptor, PrimitiveState,
@@ -12,7 +13,8 @@ use wgpu::{
 
 use crate::pack::TileVertex;
 use crate::shader::assemble;
-use crate::{LightingMode, Options, ShellDepth, Target};
+use crate::uniforms::MOST_LIGHTS;
+use crate::{LightingMode, ShellDepth, Target, View};
 
 /// What all drawing passes begin with.
 pub(crate) const SHARED: [&str; 4] = [
@@ -49,6 +51,12 @@ pub(crate) struct Variant {
     shadow_map: bool,
     /// Layers in each shell.
     marched: u32,
+    /// Fur stands everywhere, so that no bare skin shows.
+    grown: bool,
+    /// Light from all around is that of a sky and a ground.
+    sky: bool,
+    /// Lights at infinity.
+    lights: u32,
 }
 
 /// Where the first light is evaluated.
@@ -77,8 +85,9 @@ pub(crate) struct CoatTraits {
 }
 
 impl Variant {
-    /// For a view's options on a coat; `shared` as the schedule says.
-    pub(crate) fn new(options: &Options, coat: CoatTraits, shared: bool) -> Self {
+    /// For a view of a coat; `shared` as the schedule says, `grown` as the coat's shortest hair does.
+    pub(crate) fn new(view: &View, coat: CoatTraits, shared: bool, grown: bool) -> Self {
+        let options = &view.options;
         let lighting = match options.lighting {
             LightingMode::PerPatch => Lit::Patch,
             LightingMode::PerVertex => Lit::Vertex,
@@ -101,6 +110,9 @@ impl Variant {
             hair_shadow: options.hair_shadow > 0.0,
             shadow_map: options.shadows.is_some(),
             marched: if options.march.layers > 1 || options.march.steps > 1 { options.march.layers.max(1) } else { 0 },
+            grown,
+            sky: view.lights.ambient.0[2..].iter().all(|&term| term == Vec3::ZERO),
+            lights: view.lights.directional.len().min(MOST_LIGHTS) as u32,
         }
     }
 
@@ -117,6 +129,9 @@ impl Variant {
             ("CUT", self.cut),
             ("SHARED", self.shared),
             ("HAIR_SHADOW", self.hair_shadow),
+            ("GROWN", self.grown),
+            ("KEPT", self.cut || !self.grown),
+            ("SKY", self.sky),
             ("MARCH", march),
             ("SHADOW_MAP", self.shadow_map),
             ("SPLIT", per_pixel || self.hair_shadow || self.shadow_map),
@@ -127,8 +142,9 @@ impl Variant {
 
     fn source(&self, pass: &str, samples: u32) -> String {
         format!(
-            "const MARCHED: u32 = {}u;\nconst SAMPLES: u32 = {samples}u;\n{}",
+            "const MARCHED: u32 = {}u;\nconst LIGHTS: u32 = {}u;\nconst SAMPLES: u32 = {samples}u;\n{}",
             self.marched.max(1),
+            self.lights,
             assemble(&[SHARED[0], SHARED[1], SHARED[2], SHARED[3], pass], &self.flags())
         )
     }
@@ -320,16 +336,21 @@ fn coat_entries() -> [BindGroupLayoutEntry; 5] {
 
 #[cfg(test)]
 mod tests {
+    use pelage_coat::{Camera, Irradiance, Lights};
+
     use super::*;
 
     #[test]
     fn what_a_view_does_not_ask_for_is_not_compiled() {
-        let plain = Variant::new(&Options::default(), CoatTraits::default(), false);
-        assert_eq!(plain.flags(), Vec::<&str>::new());
-        let options = Options { lighting: LightingMode::Formula, ..Options::default() };
+        let camera = Camera { eye: Vec3::Z, target: Vec3::ZERO, up: Vec3::Y, field_of_view: 1.0, near: 0.1 };
+        let lights = Lights { directional: vec![], ambient: Irradiance::hemisphere(Vec3::ONE, Vec3::ZERO) };
+        let mut view = View::new(camera, lights);
+        assert_eq!(Variant::new(&view, CoatTraits::default(), false, true).flags(), ["GROWN", "SKY"]);
+        view.options.lighting = LightingMode::Formula;
+        view.lights.ambient.0[4] = Vec3::X;
         let all = CoatTraits { bent: true, cut: true, direction_map: true };
-        assert_eq!(Variant::new(&options, all, true).flags(), ["PIXEL", "MAP", "BENT", "CUT", "SHARED", "SPLIT", "AXES"]);
-        let unmapped = Options { direction_map: false, ..options };
-        assert_eq!(Variant::new(&unmapped, all, false).flags(), ["PIXEL", "BENT", "CUT", "SPLIT"]);
+        assert_eq!(Variant::new(&view, all, true, false).flags(), ["PIXEL", "MAP", "BENT", "CUT", "SHARED", "KEPT", "SPLIT", "AXES"]);
+        view.options.direction_map = false;
+        assert_eq!(Variant::new(&view, all, false, true).flags(), ["PIXEL", "BENT", "CUT", "GROWN", "KEPT", "SPLIT"]);
     }
 }

@@ -17,7 +17,7 @@ use crate::schedule::Schedule;
 use crate::selection::{Kind, Selection};
 use crate::shadow::{Casters, LightView, ShadowMap};
 use crate::textures::upload_table;
-use crate::uniforms::{FrameUniform, MOST_SEGMENTS};
+use crate::uniforms::{FrameUniform, GROWTH_LENGTH, MOST_SEGMENTS};
 use crate::{DepthBuffer, GpuCoat, LightingMode, RenderError, View, Viewpoint};
 
 /// A view of a coat, ready to be drawn, and to be moved to where the next frame is seen from.
@@ -89,7 +89,7 @@ impl PreparedView {
             shadows: None,
             light: LightView::new(coat, view),
             faces: Selection::new(device, queue, &shared.selectors, Kind::Faces, &buffers.frame, coat),
-            pipelines: shared.pipelines.get(device, Variant::new(&view.options, coat.traits, false)),
+            pipelines: shared.pipelines.get(device, variant(coat, view, false)),
             casters: None,
             hidden: None,
             schedule: Schedule::default(),
@@ -126,7 +126,7 @@ impl PreparedView {
         if self.made_for != resources {
             self.make(device, queue, shared, coat, view, resources)?;
         }
-        self.pipelines = shared.pipelines.get(device, Variant::new(&view.options, coat.traits, schedule.is_shared()));
+        self.pipelines = shared.pipelines.get(device, variant(coat, view, schedule.is_shared()));
         (self.schedule, self.light) = (schedule, light);
         self.write(queue, coat, view, &uniform);
         if let Some(shadows) = self.shadows.as_mut().filter(|_| !same_shadows) {
@@ -325,6 +325,12 @@ fn draws(schedule: &Schedule, coat: &GpuCoat) -> Vec<Range<u32>> {
         *range = if range.end == 0 { place..place + 1 } else { range.start..place + 1 };
     }
     draws
+}
+
+/// What the shaders are compiled for.
+fn variant(coat: &GpuCoat, view: &View, shared: bool) -> Variant {
+    let grown = coat.shortest * view.options.length_scale >= GROWTH_LENGTH;
+    Variant::new(view, coat.traits, shared, grown)
 }
 
 fn table_of(view: &View) -> Option<(HairLighting, TableLayout)> {

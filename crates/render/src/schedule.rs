@@ -61,9 +61,11 @@ impl Schedule {
     /// The schedule for levels as [`pelage_coat::ShellTexture`] has them, for fur that is `length` long, in diameters.
     pub(crate) fn new(levels: &[Vec<ShellLayer>], options: &Options, viewpoint: &Viewpoint, length: f32) -> Self {
         let coarsest = levels.len().saturating_sub(1) as f32;
+        let shells = levels.first().map_or(0, Vec::len);
         let wanted = match options.detail {
             Detail::Level(level) => level,
-            Detail::Spacing(pixels) => level_for(levels.first().map_or(0, Vec::len), pixels, viewpoint.pixels_of(length)),
+            Detail::Spacing(pixels) => level_for(shells, pixels, viewpoint.pixels_of(length)),
+            Detail::Whole(pixels) => level_for(shells, pixels, viewpoint.pixels_of(length)).round(),
         };
         // NaN is no wish at all.
         let level = wanted.max(0.0).min(coarsest);

@@ -52,7 +52,7 @@ impl FrameUniform {
             toward_eye: four(viewpoint.toward_eye, 0.0),
             lights: std::array::from_fn(|i| lights.get(i).map_or([[0.0; 4]; 2], |l| [four(l.direction, 0.0), four(l.colour, 0.0)])),
             irradiance: view.lights.ambient.0.map(|term| four(term, 0.0)),
-            ambient: four(hair.ambient.as_vec3(), lights.len() as f32),
+            ambient: four(hair.ambient.as_vec3(), 0.0),
             diffuse: colour(hair.diffuse, hair.diffuse_power),
             specular: colour(hair.specular, hair.specular_power),
             shadow: [density, shadow.minimum.clamp(0.0, 1.0) as f32, shadow.grazing.clamp(1e-6, 1.0) as f32, density * DIFFUSIVITY as f32],

@@ -44,6 +44,14 @@ impl Viewpoint {
         Self { clip_from_coat: camera.view_projection(pixels.x / pixels.y), eye: camera.eye, toward_eye: camera.toward_eye(), pixels }
     }
 
+    /// A coat placed in a world of the caller's: `clip_from_world` is their projection and view, `eye` is where they look from, `world_from_coat` the
+    /// model matrix. Viewer at infinity is who looks from there at the coat's origin. Lights are the caller's to carry over.
+    pub fn placed(clip_from_world: Mat4, eye: Vec3, world_from_coat: Mat4, (width, height): (u32, u32)) -> Self {
+        let eye = world_from_coat.inverse().transform_point3(eye);
+        let pixels = Vec2::new(width as f32, height as f32);
+        Self { clip_from_coat: clip_from_world * world_from_coat, eye, toward_eye: eye.normalize_or_zero(), pixels }
+    }
+
     /// How many pixels high a length, in diameters, is at the coat's centre, seen squarely.
     pub fn pixels_of(&self, length: f32) -> f32 {
         let centre = self.clip_from_coat * Vec4::W;
@@ -121,6 +129,8 @@ impl ShellRange {
 pub enum Detail {
     /// As coarse as leaves shells this many pixels apart, seen from the side; 0: the finest always.
     Spacing(f32),
+    /// Likewise, but the nearest whole level: no images of its own to blend into, so that a crowd shares the coat's; levels change at once.
+    Whole(f32),
     /// This level: 0 the finest, each the half of the one before; a fraction blends.
     Level(f32),
 }
@@ -256,6 +266,16 @@ mod tests {
         assert_eq!(drawn(ShellRange { first: 0, end: 3, left_out: Some(9) }, 5), [1, 2]);
         assert_eq!(drawn(ShellRange { first: 9, ..all }, 4), []);
         assert_eq!(drawn(all, 1), []);
+    }
+
+    #[test]
+    fn a_placed_coat_is_seen_as_if_the_eye_had_moved() {
+        let camera = Camera { eye: Vec3::new(0.5, 0.4, 2.0), target: Vec3::ZERO, up: Vec3::Y, field_of_view: 0.7, near: 0.01 };
+        let own = Viewpoint::of(&camera, (64, 48));
+        let placed = Mat4::from_translation(Vec3::new(3.0, -1.0, 2.0)) * Mat4::from_rotation_y(0.8) * Mat4::from_scale(Vec3::splat(2.5));
+        let there = Viewpoint::placed(own.clip_from_coat * placed.inverse(), placed.transform_point3(camera.eye), placed, (64, 48));
+        assert!(there.eye.abs_diff_eq(own.eye, 1e-5) && there.toward_eye.abs_diff_eq(own.toward_eye, 1e-5));
+        assert!(there.clip_from_coat.abs_diff_eq(own.clip_from_coat, 1e-4) && there.pixels == own.pixels);
     }
 
     #[test]

@@ -9,10 +9,10 @@ use wgpu::{
     AddressMode, BindGroup, BindGroupDescriptor, BindGroupEntry, BindGroupLayout, BindGroupLayoutDescriptor, BindGroupLayoutEntry,
     BindingResource, BindingType, BlendState, Buffer, BufferBindingType, BufferUsages, ColorTargetState, ColorWrites, CompareFunction,
     DepthBiasState, DepthStencilState, Device, Extent3d, Face, FilterMode, FragmentState, IndexFormat, MipmapFilterMode, MultisampleState,
-    PipelineCompilationOptions, PipelineLayoutDescriptor, PrimitiveState, Queue, RenderPass, RenderPipeline, RenderPipelineDescriptor,
-    SamplerBindingType, SamplerDescriptor, ShaderModule, ShaderModuleDescriptor, ShaderSource, ShaderStages, StencilState,
-    TextureDescriptor, TextureDimension, TextureFormat, TextureSampleType, TextureUsages, TextureViewDescriptor, TextureViewDimension,
-    VertexBufferLayout, VertexState, VertexStepMode, vertex_attr_array,
+    PipelineCompilationOptions, PipelineLayoutDescriptor, PrimitiveState, PrimitiveTopology, Queue, RenderPass, RenderPipeline,
+    RenderPipelineDescriptor, SamplerBindingType, SamplerDescriptor, ShaderModule, ShaderModuleDescriptor, ShaderSource, ShaderStages,
+    StencilState, TextureDescriptor, TextureDimension, TextureFormat, TextureSampleType, TextureUsages, TextureViewDescriptor,
+    TextureViewDimension, VertexAttribute, VertexBufferLayout, VertexState, VertexStepMode, vertex_attr_array,
 };
 
 const SHADER: &str = "
@@ -49,13 +49,36 @@ struct Vertex {
     uv: [f32; 2],
 }
 
-/// How a pipeline of the floor differs from the others.
-struct Kind<'a> {
-    vertex: &'a str,
-    fragment: &'a str,
-    cull: Option<Face>,
-    write: bool,
-    blend: Option<BlendState>,
+/// How a pipeline differs from the others.
+#[derive(Clone, Copy)]
+pub struct Kind<'a> {
+    pub vertex: &'a str,
+    pub fragment: &'a str,
+    pub topology: PrimitiveTopology,
+    pub cull: Option<Face>,
+    pub write: bool,
+    pub blend: Option<BlendState>,
+    /// Of the one vertex buffer; none without attributes.
+    pub attributes: &'a [VertexAttribute],
+    pub stride: u64,
+    pub step: VertexStepMode,
+}
+
+impl<'a> Kind<'a> {
+    /// Opaque triangles, both sides, without a vertex buffer.
+    pub fn opaque(vertex: &'a str, fragment: &'a str) -> Self {
+        Self {
+            vertex,
+            fragment,
+            topology: PrimitiveTopology::TriangleList,
+            cull: None,
+            write: true,
+            blend: None,
+            attributes: &[],
+            stride: 0,
+            step: VertexStepMode::Vertex,
+        }
+    }
 }
 
 pub struct Floor {
@@ -65,22 +88,27 @@ pub struct Floor {
     skin_bind: [BindGroup; 3],
     vertices: Buffer,
     indices: Buffer,
+    shell_indices: Buffer,
     fin_vertices: Buffer,
     corner_count: u32,
+    shell_corners: u32,
     fin_corners: u32,
     layers: u32,
 }
 
 impl Floor {
-    pub fn new(device: &Device, queue: &Queue, target: Target, coat: &Coat, view: &View, written: bool) -> Self {
+    /// The shells of `faces` alone, those that ours draws; all of the skin; the fins that ours draws.
+    pub fn new(device: &Device, queue: &Queue, target: Target, coat: &Coat, view: &View, faces: &[[u32; 3]]) -> Self {
         let module = device.create_shader_module(ShaderModuleDescriptor { label: None, source: ShaderSource::Wgsl(SHADER.into()) });
-        let surface = Kind { vertex: "shell", fragment: "blended", cull: None, write: true, blend: None };
+        let attributes = vertex_attr_array![0 => Float32x3, 1 => Float32x3, 2 => Float32x2];
+        let surface = Kind { attributes: &attributes, stride: size_of::<Vertex>() as u64, ..Kind::opaque("shell", "blended") };
         let blend = Some(BlendState::PREMULTIPLIED_ALPHA_BLENDING);
-        let fins = Kind { vertex: "fin", fragment: "fin_blended", cull: None, write: false, blend };
+        let fins = Kind { vertex: "fin", fragment: "fin_blended", write: false, blend, ..surface };
+        let written = matches!(view.options.shell_depth, ShellDepth::Written { .. });
         let fragment = if written { "tested" } else { "blended" };
-        let shells = Kind { vertex: "shell", fragment, cull: Some(Face::Back), write: written, blend };
-        let [surface, fins, shells] = [surface, fins, shells].map(|kind| pipeline(device, &module, target, &kind));
-        let uniform = uniform(coat, view);
+        let shells = Kind { fragment, cull: Some(Face::Back), write: written, blend, ..surface };
+        let [surface, fins, shells] = [surface, fins, shells].map(|kind| pipeline(device, &module, target, &kind, false));
+        let uniform = frame_values(coat, view);
         let shell_texture = (coat.shells.layers(), &coat.shells.mips[..]);
         let fin = Arc::clone(coat.fin.as_ref().expect("a fin"));
         let skin_bind = [
@@ -107,7 +135,9 @@ impl Floor {
             skin_bind,
             vertices: buffer(device, BufferUsages::VERTEX, bytemuck::cast_slice(&vertices)),
             indices: buffer(device, BufferUsages::INDEX, bytemuck::cast_slice(&patches.faces)),
+            shell_indices: buffer(device, BufferUsages::INDEX, bytemuck::cast_slice(faces)),
             corner_count: 3 * patches.faces.len() as u32,
+            shell_corners: 3 * faces.len() as u32,
             fin_corners: fin_vertices.len() as u32,
             fin_vertices: buffer(device, BufferUsages::VERTEX, bytemuck::cast_slice(&fin_vertices)),
             layers: coat.shells.layers(),
@@ -127,7 +157,8 @@ impl Floor {
         pass.set_pipeline(&self.shells);
         pass.set_bind_group(0, &self.skin_bind[2], &[]);
         pass.set_vertex_buffer(0, self.vertices.slice(..));
-        pass.draw_indexed(0..self.corner_count, 0, 1..self.layers);
+        pass.set_index_buffer(self.shell_indices.slice(..), IndexFormat::Uint32);
+        pass.draw_indexed(0..self.shell_corners, 0, 1..self.layers);
     }
 }
 
@@ -154,7 +185,6 @@ fn fin_triangles(coat: &Coat, view: &View) -> Vec<Vertex> {
 pub struct FullScreen {
     pipeline: RenderPipeline,
     bind: BindGroup,
-    vertices: Buffer,
     count: u32,
 }
 
@@ -162,23 +192,23 @@ impl FullScreen {
     pub fn new(device: &Device, queue: &Queue, target: Target, coat: &Coat, count: u32) -> Self {
         let module = device.create_shader_module(ShaderModuleDescriptor { label: None, source: ShaderSource::Wgsl(SHADER.into()) });
         let blend = Some(BlendState::PREMULTIPLIED_ALPHA_BLENDING);
-        let pipeline = pipeline(device, &module, target, &Kind { vertex: "full", fragment: "blended", cull: None, write: false, blend });
+        let pipeline = pipeline(device, &module, target, &Kind { write: false, blend, ..Kind::opaque("full", "blended") }, false);
         let uniform = [0.0; 20];
         let bind = bind(device, queue, &pipeline, &uniform, (coat.shells.layers(), &coat.shells.mips), AddressMode::Repeat);
-        Self { pipeline, bind, vertices: buffer(device, BufferUsages::VERTEX, &[0; 96]), count }
+        Self { pipeline, bind, count }
     }
 
     pub fn draw(&self, pass: &mut RenderPass<'_>) {
         pass.set_pipeline(&self.pipeline);
         pass.set_bind_group(0, &self.bind, &[]);
-        pass.set_vertex_buffer(0, self.vertices.slice(..));
         pass.draw(0..3, 0..self.count);
     }
 }
 
-fn uniform(coat: &Coat, view: &View) -> [f32; 20] {
-    let aspect = super::SIZE.0 as f32 / super::SIZE.1 as f32;
-    let mut values = [0.0; 20];
+/// The projection, the step from shell to shell, the threshold of opacity, and room to a multiple of four.
+pub fn frame_values(coat: &Coat, view: &View) -> Vec<f32> {
+    let aspect = super::stage::SIZE.0 as f32 / super::stage::SIZE.1 as f32;
+    let mut values = vec![0.0; 20];
     values[..16].copy_from_slice(&view.camera.view_projection(aspect).to_cols_array());
     values[16] = 1.0 / (coat.shells.layers() - 1) as f32;
     if let ShellDepth::Written { threshold } = view.options.shell_depth {
@@ -187,15 +217,15 @@ fn uniform(coat: &Coat, view: &View) -> [f32; 20] {
     values
 }
 
-fn buffer(device: &Device, usage: BufferUsages, contents: &[u8]) -> Buffer {
+pub fn buffer(device: &Device, usage: BufferUsages, contents: &[u8]) -> Buffer {
     device.create_buffer_init(&BufferInitDescriptor { label: None, contents, usage })
 }
 
-fn bind(
+pub fn bind(
     device: &Device,
     queue: &Queue,
     pipeline: &RenderPipeline,
-    uniform: &[f32; 20],
+    uniform: &[f32],
     (layers, mips): (u32, &[MipImage]),
     address_mode_v: AddressMode,
 ) -> BindGroup {
@@ -251,13 +281,19 @@ fn layout(device: &Device) -> BindGroupLayout {
     })
 }
 
-fn pipeline(device: &Device, module: &ShaderModule, target: Target, kind: &Kind<'_>) -> RenderPipeline {
-    let attributes = vertex_attr_array![0 => Float32x3, 1 => Float32x3, 2 => Float32x2];
-    let buffers =
-        [Some(VertexBufferLayout { array_stride: size_of::<Vertex>() as u64, step_mode: VertexStepMode::Vertex, attributes: &attributes })];
+fn array_layout(device: &Device) -> BindGroupLayout {
+    let ty = BindingType::Buffer { ty: BufferBindingType::Storage { read_only: true }, has_dynamic_offset: false, min_binding_size: None };
+    let entry = |binding| BindGroupLayoutEntry { binding, visibility: ShaderStages::VERTEX, ty, count: None };
+    device.create_bind_group_layout(&BindGroupLayoutDescriptor { label: None, entries: &[entry(0), entry(1)] })
+}
+
+/// `arrays`: with two storage buffers for the vertex stage in a second group.
+pub fn pipeline(device: &Device, module: &ShaderModule, target: Target, kind: &Kind<'_>, arrays: bool) -> RenderPipeline {
+    let buffers = [Some(VertexBufferLayout { array_stride: kind.stride, step_mode: kind.step, attributes: kind.attributes })];
+    let groups = [Some(&layout(device)), Some(&array_layout(device))];
     let layout = device.create_pipeline_layout(&PipelineLayoutDescriptor {
         label: None,
-        bind_group_layouts: &[Some(&layout(device))],
+        bind_group_layouts: if arrays { &groups } else { &groups[..1] },
         immediate_size: 0,
     });
     device.create_render_pipeline(&RenderPipelineDescriptor {
@@ -267,9 +303,9 @@ fn pipeline(device: &Device, module: &ShaderModule, target: Target, kind: &Kind<
             module,
             entry_point: Some(kind.vertex),
             compilation_options: PipelineCompilationOptions::default(),
-            buffers: if kind.vertex == "full" { &[] } else { &buffers },
+            buffers: if kind.attributes.is_empty() { &[] } else { &buffers },
         },
-        primitive: PrimitiveState { cull_mode: kind.cull, ..PrimitiveState::default() },
+        primitive: PrimitiveState { topology: kind.topology, cull_mode: kind.cull, ..PrimitiveState::default() },
         depth_stencil: Some(DepthStencilState {
             format: target.depth,
             depth_write_enabled: Some(kind.write),

@@ -1,149 +1,181 @@
-//! From OBJ to picture, stage by stage, on a model of about 5,000 faces, everything cold; then the frame time at 640 × 480 with 16 shells and fins beside
-//! the floors it is judged by, all in one run and in turn.
+//! From OBJ to picture, stage by stage, everything cold; then frames at 640 × 480 with 16 shells and fins beside what they are judged by, all in one run and in turn.
 //!
-//! The *same draw*: identical geometry, blending, depth, sampler, one filtered array fetch a fragment, no lighting, everything computed ahead.
-//! The *full screen*: as many fragments as full-screen rectangles, textured and blended, as context.
+//! - The *same draw*: the triangles that ours draws (skin, fins, the shells of the faces that ours picks), blending, depth, sampler, one filtered array fetch a
+//!   fragment, no lighting, everything computed ahead. The floor that ours is judged by.
+//! - The *full screen*: as many fragments as full-screen rectangles, textured and blended, as context.
+//! - The *plain renderer*: every face for every shell, whichever way it faces, and every edge as a fin, lit as ours: what there is to win.
+//! - The *exact visible set* of triangles (`exact.rs`), and the fragments that it makes.
 //!
-//! `cargo bench -p pelage-tests --bench spine`; `-- ROUNDS` for another number of rounds than 20. The model is `t1_bunny_5000` of `$PELAGE_MODELS` where that is set, else
-//! a ball of 5,120 faces written as an OBJ first.
+//! `cargo bench -p pelage-tests --bench spine`; `-- ROUNDS` for another number of rounds than 20, `-- SECTION …` for some of `stages`,
+//! `floors`, `exact`, `fewer`, `far`, `options`. Models: the bunny as shipped, and `t1_bunny_5000` of
+//! `$PELAGE_MODELS` where that is set, else a ball of 5,120 faces.
 #![allow(clippy::print_stdout, clippy::expect_used, reason = "a benchmark prints and may panic")]
 #![allow(unreachable_pub, reason = "modules of a program")]
 
+mod exact;
 mod floor;
-mod model;
+mod options;
+mod plain;
+mod race;
+mod scenes;
 mod stage;
 
 use std::time::Instant;
 
-use pelage_coat::{Background, Coat};
-use pelage_lighting::TableLayout;
-use pelage_render::{
-    FinRule, GpuCoat, Headless, LightingMode, Offscreen, Options, PreparedView, Renderer, ShellDepth, Target, View, Viewpoint,
-};
-use pelage_tests::Scene;
-use wgpu::{CommandEncoder, RenderPass, TextureFormat};
+use pelage_coat::{Background, Camera, Coat};
+use pelage_render::{Detail, Headless, Offscreen, Options, PassTimes, Target, View};
+use wgpu::TextureFormat;
 
 use floor::{Floor, FullScreen};
+use pelage_tests::Scene;
+use plain::Plain;
+use race::{Contender, Finish, Fur, print, race};
+use scenes::{Scenes, Textures};
 use stage::{SIZE, Stage};
 
 fn main() {
-    let rounds = std::env::args().skip(1).find_map(|a| a.parse().ok()).unwrap_or(20);
-    let model = model::five_thousand_faces().expect("a model");
-    let size = format!("({}, {})", SIZE.0, SIZE.1);
-    let overrides = [("bunny.path", model.path()), ("shells.layers", "16"), ("picture.size", &size)];
-    let start = Instant::now();
-    let scene = Scene::evaluate("bunny", &overrides).expect("a picture");
-    let total = start.elapsed().as_secs_f64() * 1e3;
-    println!("{}: from OBJ to picture, cold", model.path());
-    for entry in scene.trace() {
-        println!("{:12} {:16} {:9.1} ms", entry.node.to_string(), entry.kind, entry.ms);
-    }
-    println!("{:29} {total:9.1} ms", "everything included");
-
+    let arguments: Vec<String> = std::env::args().skip(1).collect();
+    let rounds = arguments.iter().find_map(|a| a.parse().ok()).unwrap_or(20);
+    let named = SECTIONS.iter().any(|section| arguments.iter().any(|a| a == section));
+    let wanted = |section: &str| !named || arguments.iter().any(|a| a == section);
     let headless = pelage_tests::gpu().expect("an adapter").headless();
-    println!("\n{} at {} × {}", headless.summary().name, SIZE.0, SIZE.1);
-    let coat = scene.coat().expect("a coat");
-    let (view, background) = scene.view(&coat).expect("a view");
-    println!("{} faces, {} edges, {} layers", coat.patches.faces.len(), coat.edges.vertices.len(), coat.shells.layers());
-    for samples in [1, 4] {
-        bench(headless, &coat, &view, &background, samples, rounds);
+    println!("{} at {} × {}, {rounds} rounds", headless.summary().name, SIZE.0, SIZE.1);
+    for model in scenes::models().expect("models") {
+        let mut scenes = Scenes::new(&model);
+        let start = Instant::now();
+        let scene = scenes.whole().expect("a picture");
+        if wanted("stages") {
+            stages(&model.name, &scene, start.elapsed().as_secs_f64() * 1e3);
+        }
+        let coat = scene.coat().expect("a coat");
+        let (view, _) = scene.view(&coat).expect("a view");
+        let bench = Bench { headless, view, rounds };
+        if wanted("floors") {
+            bench.beside_floors(&coat, 1, &format!("{}, 16 shells", model.name));
+            bench.beside_floors(&coat, 4, &format!("{}, 16 shells", model.name));
+        }
+        if wanted("exact") {
+            bench.beside_exact_set(&coat);
+        }
+        for layers in ["8", "4"].iter().filter(|_| wanted("fewer")) {
+            let fewer = scenes.coat(Textures { set: &[("shells.layers", layers)], ..Textures::default() }).expect("a coat");
+            bench.beside_floors(&fewer, 1, &format!("{}, {layers} shells", model.name));
+        }
+        if wanted("far") {
+            let levels = scenes.coat(Textures { through: &["LevelsOfDetail"], ..Textures::default() }).expect("a coat");
+            bench.far(&levels, &model.name);
+        }
+        if wanted("options") {
+            bench.options(&coat, &mut scenes, &model.name);
+        }
     }
     headless.check().expect("no validation error");
 }
 
-/// One way of drawing, its name and its times.
-struct Contender<'a> {
-    name: String,
-    compute: Box<dyn Fn(&mut CommandEncoder) + 'a>,
-    draw: Box<dyn Fn(&mut RenderPass<'_>) + 'a>,
-    times: Vec<f64>,
-    fragments: u64,
+/// What can be asked for by name; without names, all.
+const SECTIONS: [&str; 6] = ["stages", "floors", "exact", "fewer", "far", "options"];
+
+fn stages(name: &str, scene: &Scene, total: f64) {
+    println!("\n{name}: from OBJ to picture, cold");
+    for entry in scene.trace() {
+        println!("{:12} {:16} {:9.1} ms", entry.node.to_string(), entry.kind, entry.ms);
+    }
+    println!("{:29} {total:9.1} ms", "everything included");
 }
 
-fn bench(headless: &Headless, coat: &Coat, view: &View, background: &Background, samples: u32, rounds: usize) {
-    let (device, queue) = (headless.device(), headless.queue());
-    let target = Target::new(TextureFormat::Rgba8UnormSrgb, samples);
-    let renderer = Renderer::new(device, queue, target);
-    let gpu_coat = renderer.upload(device, queue, coat).expect("a whole coat");
-    let defaults = Options::default();
-    let variants = [
-        ("lit at vertices (default)", defaults),
-        ("lit at pixels, formula", Options { lighting: LightingMode::Formula, ..defaults }),
-        ("lit at pixels, 64² table", Options { lighting: LightingMode::Table(TableLayout::default()), ..defaults }),
-        ("lit at pixels, 32² cosine table", Options { lighting: LightingMode::Table(TableLayout::PAPER), ..defaults }),
-        ("depth only tested", Options { shell_depth: ShellDepth::Tested, ..defaults }),
-        ("without fins", Options { fins: false, ..defaults }),
-        ("everything submitted", Options { culling: false, ..defaults }),
-        ("everything, and all fins", Options { culling: false, fin_rule: FinRule::All, ..defaults }),
-        ("without step blur", Options { step_blur: 0.0, ..defaults }),
-        ("anisotropy 4", Options { anisotropy: 4, ..defaults }),
-    ];
-    let prepare = |options| prepare(headless, &renderer, &gpu_coat, &View { options, ..view.clone() });
-    // A software adapter takes seconds for anisotropic filtering with four samples.
-    let variants = variants.iter().filter(|(_, options)| samples == 1 || options.anisotropy == 1);
-    let prepared: Vec<(&str, PreparedView)> = variants.map(|&(name, options)| (name, prepare(options))).collect();
-    let stage = Stage::new(device, target);
-    let floors = [(true, "floor: same draw"), (false, "floor: same draw, depth only tested")]
-        .map(|(written, name)| (name, Floor::new(device, queue, target, coat, view, written)));
+/// What all sections share.
+pub struct Bench<'a> {
+    headless: &'a Headless,
+    view: View,
+    rounds: usize,
+}
 
-    // As many rectangles as the default draws fragments.
-    let default_view = &prepared[0].1;
-    let fragments = stage.fragments(headless, &|encoder| renderer.compute(encoder, &gpu_coat, default_view), &|pass| {
-        renderer.draw(pass, &gpu_coat, default_view)
-    });
-    let count = (fragments as f64 / f64::from(SIZE.0 * SIZE.1 * samples)).round().max(1.0) as u32;
-    let full = FullScreen::new(device, queue, target, coat, count);
-    let mut contenders: Vec<Contender<'_>> = Vec::new();
-    for (name, view) in &prepared {
-        let compute = |encoder: &mut CommandEncoder| renderer.compute(encoder, &gpu_coat, view);
-        contenders.push(contender(name, compute, |pass| renderer.draw(pass, &gpu_coat, view)));
-    }
-    for (name, floor) in &floors {
-        contenders.push(contender(name, |_| (), |pass| floor.draw(pass)));
-    }
-    contenders.push(contender(&format!("floor: {count} full screens"), |_| (), |pass| full.draw(pass)));
-    for contender in &mut contenders {
-        contender.fragments = stage.fragments(headless, &contender.compute, &contender.draw);
+impl Bench<'_> {
+    fn stage(&self, samples: u32) -> Stage {
+        Stage::new(self.headless.device(), Target::new(TextureFormat::Rgba8UnormSrgb, samples))
     }
 
-    // In turn, so that a busy machine is unfair to all alike.
-    for round in 0..rounds + 2 {
-        for contender in &mut contenders {
-            let start = Instant::now();
-            stage.frame(headless, &contender.compute, &contender.draw);
-            if round >= 2 {
-                contender.times.push(start.elapsed().as_secs_f64() * 1e3);
-            }
+    fn floor(&self, stage: &Stage, coat: &Coat, faces: &[[u32; 3]]) -> Floor {
+        Floor::new(self.headless.device(), self.headless.queue(), stage.target, coat, &self.view, faces)
+    }
+
+    /// Ours beside the floors and the plain renderer.
+    fn beside_floors(&self, coat: &Coat, samples: u32, title: &str) {
+        let stage = self.stage(samples);
+        let (device, queue) = (self.headless.device(), self.headless.queue());
+        let fur = Fur::new(self.headless, &stage, coat, &self.view);
+        let floor = self.floor(&stage, coat, &fur.faces(self.headless, &stage));
+        let plain = Plain::new(device, queue, stage.target, coat, &self.view);
+        let ours = Contender::ours(self.headless, &stage, &fur, "ours (default)", false);
+        let count = (ours.fragments.unwrap_or(0) as f64 / f64::from(SIZE.0 * SIZE.1 * samples)).round().max(1.0) as u32;
+        let full = FullScreen::new(device, queue, stage.target, coat, count);
+        let drawn = ours.triangles;
+        let contenders = vec![
+            ours,
+            Contender::plain(self.headless, &stage, "floor: same draw", drawn, |pass| floor.draw(pass)),
+            Contender::plain(self.headless, &stage, "plain renderer", Some(plain.triangles()), |pass| plain.draw(pass)),
+            Contender::plain(self.headless, &stage, &format!("{count} full screens"), Some(u64::from(count)), |pass| full.draw(pass)),
+        ];
+        println!("\n{title}, {samples} samples a pixel");
+        print(&race(self.headless, &stage, contenders, self.rounds, [1, 2]), ["of same draw", "of plain"]);
+        let PassTimes { compute, surface, fins, shells } = self.passes(coat, &self.view, samples);
+        println!("ours, passes apart: compute {compute:.1} ms, surface {surface:.1}, fins {fins:.1}, shells {shells:.1}");
+    }
+
+    /// Ours pass by pass: medians of the device's timestamps, zero where it has none.
+    fn passes(&self, coat: &Coat, view: &View, samples: u32) -> PassTimes {
+        let offscreen = Offscreen::new(self.headless, SIZE, samples).expect("a target");
+        let uploaded = offscreen.upload(coat).expect("a whole coat");
+        let background = Background { top: glam::Vec3::splat(0.1), bottom: glam::Vec3::splat(0.1) };
+        offscreen.time(&uploaded, view, &background, self.rounds as u32).expect("a frame").passes.unwrap_or_default()
+    }
+
+    /// How near what is submitted is to what can be seen.
+    fn beside_exact_set(&self, coat: &Coat) {
+        let stage = self.stage(1);
+        let mut fur = Fur::new(self.headless, &stage, coat, &self.view);
+        let picked = fur.faces(self.headless, &stage);
+        let unhidden = fur.unhidden_faces(self.headless, &stage);
+        println!(
+            "\n{:44} {:>10} {:>10} {:>12} {:>8}",
+            "shells' fronts before the depth test", "triangles", "fragments", "of exact set", "missed"
+        );
+        for (name, faces) in [("every face", &coat.patches.faces), ("ours (default)", &picked), ("ours, hidden left out, too", &unhidden)] {
+            let comparison = exact::compare(self.headless, coat, &self.view, faces);
+            let exact::Size { triangles, fragments } = comparison.submitted;
+            let ratio = fragments as f64 / comparison.exact.fragments as f64;
+            println!("{name:44} {triangles:10} {fragments:10} {ratio:12.3} {:8}", comparison.missed);
+        }
+        let exact::Size { triangles, fragments } = exact::compare(self.headless, coat, &self.view, &[]).exact;
+        println!("{:44} {triangles:10} {fragments:10} {:12.3}", "exact visible set", 1.0);
+    }
+
+    /// With distance, levels of detail on and off.
+    fn far(&self, coat: &Coat, name: &str) {
+        let stage = self.stage(1);
+        println!("\n{name}, far away, with and without levels of detail (0.25 pixels between shells)");
+        println!(
+            "{:>8} {:>8} {:>8} {:>8} {:>10} {:>12} {:>14} {:>12} {:>14}",
+            "times", "shells", "level", "least ms", "fragments", "shells, all", "least ms, all", "fragments", "compute alone"
+        );
+        for times in [1.0, 2.0, 4.0, 8.0, 16.0] {
+            let view = View { camera: further(&self.view.camera, times), ..self.view.clone() };
+            let with = |detail| Fur::with(self.headless, &stage, coat, &view, Options { detail, ..view.options });
+            let (levels, all) = (with(Detail::default()), with(Detail::Level(0.0)));
+            let contenders = vec![
+                Contender::ours(self.headless, &stage, &levels, "levels", false),
+                Contender::ours(self.headless, &stage, &all, "all", false),
+            ];
+            let finishes = race(self.headless, &stage, contenders, self.rounds, [1, 1]);
+            let [a, b] = [&finishes[0], &finishes[1]].map(|Finish { least, fragments, .. }| (least, fragments.unwrap_or(0)));
+            let (shells, level, shells_all) = (levels.view.shell_count(), levels.view.level(), all.view.shell_count());
+            let compute = self.passes(coat, &view, 1).compute;
+            println!("{times:8} {shells:8} {level:8.2} {:8.1} {:10} {shells_all:12} {:14.1} {:12} {compute:14.1}", a.0, a.1, b.0, b.1);
         }
     }
-    let offscreen = Offscreen::new(headless, SIZE, samples).expect("a target");
-    let drawn = offscreen.render(&gpu_coat, view, background).expect("a picture").frame;
-    println!(
-        "\n{samples} samples, {rounds} rounds, {} fins of {} edges, {} of {} furred faces in {} of {} patches, {} triangles",
-        drawn.fins_drawn, drawn.fins_considered, drawn.faces_drawn, drawn.faces_furred, drawn.patches_drawn, drawn.patches, drawn.triangles
-    );
-    println!("{:36} {:>9} {:>9} {:>11} {:>9} {:>14}", "", "min ms", "median", "fragments", "ns each", "of same draw");
-    let same = contenders.iter().position(|c| c.name == floors[0].0).expect("the floor");
-    let floor_times = contenders[same].times.clone();
-    for contender in &mut contenders {
-        // The ratio round by round, then its median: what both had to share cancels.
-        let ratio = median(&mut contender.times.iter().zip(&floor_times).map(|(ours, floor)| ours / floor).collect::<Vec<_>>());
-        let median = median(&mut contender.times);
-        let each = median * 1e6 / contender.fragments as f64;
-        println!("{:36} {:9.1} {median:9.1} {:11} {each:9.2} {ratio:14.2}", contender.name, contender.times[0], contender.fragments);
-    }
 }
 
-fn prepare(headless: &Headless, renderer: &Renderer, coat: &GpuCoat, view: &View) -> PreparedView {
-    let viewpoint = Viewpoint::of(&view.camera, SIZE);
-    renderer.prepare(headless.device(), headless.queue(), coat, view, &viewpoint).expect("a finite view")
-}
-
-fn contender<'a>(name: &str, compute: impl Fn(&mut CommandEncoder) + 'a, draw: impl Fn(&mut RenderPass<'_>) + 'a) -> Contender<'a> {
-    Contender { name: name.to_owned(), compute: Box::new(compute), draw: Box::new(draw), times: Vec::new(), fragments: 0 }
-}
-
-fn median(times: &mut [f64]) -> f64 {
-    times.sort_by(f64::total_cmp);
-    times[times.len() / 2]
+/// The camera so many times as far from what it looks at.
+fn further(camera: &Camera, times: f32) -> Camera {
+    Camera { eye: camera.target + times * (camera.eye - camera.target), near: times * camera.near, ..*camera }
 }

@@ -1,5 +1,7 @@
 //! A target, a frame on it, and how many fragments that took.
 
+use std::time::Instant;
+
 use pelage_render::{Headless, Target};
 use wgpu::{
     BufferDescriptor, BufferUsages, Color, CommandEncoder, CommandEncoderDescriptor, Device, Extent3d, LoadOp, MapMode, Operations,
@@ -10,9 +12,10 @@ use wgpu::{
 pub const SIZE: (u32, u32) = (640, 480);
 
 pub struct Stage {
+    pub target: Target,
+    pub depth: TextureView,
     colour: TextureView,
     resolved: Option<TextureView>,
-    depth: TextureView,
     occlusion: QuerySet,
 }
 
@@ -26,7 +29,8 @@ impl Stage {
                 sample_count,
                 dimension: TextureDimension::D2,
                 format,
-                usage: TextureUsages::RENDER_ATTACHMENT,
+                // To be looked through for what hides fur, where samples are one.
+                usage: TextureUsages::RENDER_ATTACHMENT | TextureUsages::TEXTURE_BINDING,
                 view_formats: &[],
             });
             texture.create_view(&TextureViewDescriptor::default())
@@ -36,24 +40,31 @@ impl Stage {
             resolved: (target.samples > 1).then(|| view(target.colour, 1)),
             depth: view(target.depth, target.samples),
             occlusion: device.create_query_set(&QuerySetDescriptor { label: None, ty: QueryType::Occlusion, count: 1 }),
+            target,
         }
     }
 
-    fn pass<'e>(&self, encoder: &'e mut CommandEncoder, occlusion: Option<&QuerySet>) -> RenderPass<'e> {
+    /// A pass; the first of a frame clears, the last need not keep what is resolved.
+    pub fn pass<'e>(&self, encoder: &'e mut CommandEncoder, (first, last): (bool, bool), occlusion: Option<&QuerySet>) -> RenderPass<'e> {
+        let clear = Color { r: 0.1, g: 0.1, b: 0.1, a: 0.0 };
+        let samples_go = last && self.resolved.is_some();
         encoder.begin_render_pass(&RenderPassDescriptor {
             label: None,
             color_attachments: &[Some(RenderPassColorAttachment {
                 view: &self.colour,
                 depth_slice: None,
-                resolve_target: self.resolved.as_ref(),
+                resolve_target: self.resolved.as_ref().filter(|_| last),
                 ops: Operations {
-                    load: LoadOp::Clear(Color { r: 0.1, g: 0.1, b: 0.1, a: 0.0 }),
-                    store: if self.resolved.is_some() { StoreOp::Discard } else { StoreOp::Store },
+                    load: if first { LoadOp::Clear(clear) } else { LoadOp::Load },
+                    store: if samples_go { StoreOp::Discard } else { StoreOp::Store },
                 },
             })],
             depth_stencil_attachment: Some(RenderPassDepthStencilAttachment {
                 view: &self.depth,
-                depth_ops: Some(Operations { load: LoadOp::Clear(0.0), store: StoreOp::Discard }),
+                depth_ops: Some(Operations {
+                    load: if first { LoadOp::Clear(0.0) } else { LoadOp::Load },
+                    store: if last { StoreOp::Discard } else { StoreOp::Store },
+                }),
                 stencil_ops: None,
             }),
             occlusion_query_set: occlusion,
@@ -61,13 +72,14 @@ impl Stage {
         })
     }
 
-    /// Draws a frame to its end.
-    pub fn frame(&self, headless: &Headless, compute: &dyn Fn(&mut CommandEncoder), draw: &dyn Fn(&mut RenderPass<'_>)) {
+    /// Draws a frame to its end, and says how many milliseconds that took.
+    pub fn time(&self, headless: &Headless, record: &mut dyn FnMut(&mut CommandEncoder)) -> f64 {
+        let start = Instant::now();
         let mut encoder = headless.device().create_command_encoder(&CommandEncoderDescriptor::default());
-        compute(&mut encoder);
-        draw(&mut self.pass(&mut encoder, None));
+        record(&mut encoder);
         headless.queue().submit([encoder.finish()]);
         headless.device().poll(PollType::wait_indefinitely()).expect("the device answers");
+        start.elapsed().as_secs_f64() * 1e3
     }
 
     /// How many samples pass the tests.
@@ -79,7 +91,7 @@ impl Stage {
         let mut encoder = device.create_command_encoder(&CommandEncoderDescriptor::default());
         compute(&mut encoder);
         {
-            let mut pass = self.pass(&mut encoder, Some(&self.occlusion));
+            let mut pass = self.pass(&mut encoder, (true, true), Some(&self.occlusion));
             pass.begin_occlusion_query(0);
             draw(&mut pass);
             pass.end_occlusion_query();

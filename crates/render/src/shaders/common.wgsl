@@ -11,7 +11,7 @@ struct Frame {
     toward_eye: vec4f,    // the viewer at infinity; w unused
     lights: array<Light, 4>,
     irradiance: array<vec4f, 9>,  // coefficients of 1, y, z, x, xy, yz, 3z² − 1, xz, x² − y² of the normal
-    ambient: vec4f,       // Ka; how many lights
+    ambient: vec4f,       // Ka; w unused
     diffuse: vec4f,       // Kd, Pd / 2
     specular: vec4f,      // Ks, Ps / 2
     shadow: vec4f,        // density, minimum, grazing, density seen by the hemisphere

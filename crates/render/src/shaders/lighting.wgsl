@@ -36,9 +36,14 @@ fn floored(optical_depth: f32) -> f32 {
 
 // pelage_coat::Irradiance::at.
 fn irradiance(n: vec3f) -> vec3f {
+#if SKY
+    // From above and from below alone.
+    return max(frame.irradiance[0].xyz + frame.irradiance[1].xyz * n.y, vec3f(0.0));
+#else
     let even = frame.irradiance[0].xyz + frame.irradiance[6].xyz * (3.0 * n.z * n.z - 1.0) + frame.irradiance[8].xyz * (n.x * n.x - n.y * n.y);
     let mixed = frame.irradiance[4].xyz * (n.x * n.y) + frame.irradiance[5].xyz * (n.y * n.z) + frame.irradiance[7].xyz * (n.x * n.z);
     return max(even + mixed + frame.irradiance[1].xyz * n.y + frame.irradiance[2].xyz * n.z + frame.irradiance[3].xyz * n.x, vec3f(0.0));
+#endif
 }
 
 // Ka · irradiance(N) · sky(depth).
@@ -74,14 +79,10 @@ fn hair_response(light: u32, direction: vec3f, toward_eye: vec3f) -> vec3f {
     return reflected(factors(dot(direction, frame.lights[light].direction.xyz), dot(direction, half.xyz)) * vec2f(1.0, half.w));
 }
 
-fn light_count() -> u32 {
-    return u32(frame.ambient.w);
-}
-
 // The lights from `first` on, on a hair of albedo 1.
 fn lights_from(first: u32, direction: vec3f, normal: vec3f, toward_eye: vec3f, depth: f32) -> vec3f {
     var sum = vec3f(0.0);
-    for (var i = first; i < light_count(); i++) {
+    for (var i = first; i < LIGHTS; i++) {
         sum += hair_response(i, direction, toward_eye) * direct_light(i, normal, depth);
     }
     return sum;
@@ -90,7 +91,7 @@ fn lights_from(first: u32, direction: vec3f, normal: vec3f, toward_eye: vec3f, d
 // The light that bare skin of albedo 1 sends out, where so much of the first light gets to.
 fn skin_light(normal: vec3f, shadow: f32) -> vec3f {
     var sum = vec3f(0.0);
-    for (var i = 0u; i < light_count(); i++) {
+    for (var i = 0u; i < LIGHTS; i++) {
         let reach = clamp(dot(normal, frame.lights[i].direction.xyz), 0.0, 1.0) * select(1.0, shadow, i == 0u);
         sum += frame.lights[i].colour.xyz * reach;
     }

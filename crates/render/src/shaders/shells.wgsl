@@ -2,12 +2,17 @@
 
 struct ShellVertex {
     @builtin(position) position: vec4f,
-    @location(0) tile: vec4f,  // tile coordinates, growth, weight of the half vector
-    @location(1) light: vec4f,  // the light, or what of it is not in `direct`; u
+    @location(0) tile: vec3f,  // tile coordinates, levels of blur
+    @location(1) light: vec3f,  // the light, or what of it is not in `direct`
     @location(2) @interpolate(flat) shell: vec2u,  // image, place among the shells
-    @location(3) blur_cut: vec2f,  // levels of blur, what a cut leaves
+#if KEPT
+    @location(3) kept: vec2f,  // growth, what a cut leaves
+#endif
 #if SPLIT
-    @location(4) direct: vec4f,  // the first light, its response yet to be multiplied where it is lit at pixels; v
+    @location(4) direct: vec3f,  // the first light, its response yet to be multiplied where it is lit at pixels
+#endif
+#if PIXEL
+    @location(12) cosines: vec3f,  // u, v, weight of the half vector
 #endif
 #if MAP
     @location(5) light_in_tile: vec3f,  // L and H along the tile's axes
@@ -88,17 +93,21 @@ fn shell_vertex(
     let half = half_vector(toward_light, toward_eye);
     var out: ShellVertex;
     out.position = clip;
-    out.tile = vec4f(tile, growth_of(v.offset), half.w);
+    let step = step_on_screen(clip, slope(v, shell.height) * shell.step);
+    let blur = level_bias(step, dot(v.normal, normalize(frame.eye.xyz - place)));
+    out.tile = vec3f(tile, blur);
     out.shell = vec2u(shell.image, place_among);
-    out.blur_cut = vec2f(
-        level_bias(step_on_screen(clip, slope(v, shell.height) * shell.step), dot(v.normal, normalize(frame.eye.xyz - place))),
-        cut_of(v.end, shell.height));
+#if KEPT
+    out.kept = vec2f(growth_of(v.offset), cut_of(v.end, shell.height));
+#endif
 #if SPLIT
-    out.light = vec4f(
-        v.colour * (ambient_light(lit.normal, depth) + lights_from(1u, direction, lit.normal, toward_eye, depth)), dot(direction, toward_light));
-    out.direct = vec4f(v.colour * first_light(lit, direction, toward_eye, depth), dot(direction, half.xyz));
+    out.light = v.colour * (ambient_light(lit.normal, depth) + lights_from(1u, direction, lit.normal, toward_eye, depth));
+    out.direct = v.colour * first_light(lit, direction, toward_eye, depth);
 #else
-    out.light = vec4f(v.colour * (ambient_light(lit.normal, depth) + lights_from(0u, direction, lit.normal, toward_eye, depth)), 0.0);
+    out.light = v.colour * (ambient_light(lit.normal, depth) + lights_from(0u, direction, lit.normal, toward_eye, depth));
+#endif
+#if PIXEL
+    out.cosines = vec3f(dot(direction, toward_light), dot(direction, half.xyz), half.w);
 #endif
 #if AXES
     let along = slope(v, shell.height);
@@ -166,19 +175,19 @@ fn hair_at(tile: vec2f, place_among: u32, image: u32, blur: f32) -> vec4f {
 fn first_response(in: ShellVertex, tile: vec2f, place_among: u32) -> vec3f {
     var response = vec3f(1.0);
 #if PIXEL
-    var cosines = vec2f(in.light.w, in.direct.w);
+    var cosines = in.cosines.xy;
 #if MAP
-    let mapped = textureSampleBias(hair_directions, tile_sampler, tile, shells[place_among].direction, in.blur_cut.x).xyz * 2.0 - 1.0;
+    let mapped = textureSampleBias(hair_directions, tile_sampler, tile, shells[place_among].direction, in.tile.z).xyz * 2.0 - 1.0;
     cosines = vec2f(dot(mapped, in.light_in_tile), dot(mapped, in.half_in_tile));
 #endif
-    response = reflected(factors(cosines.x, cosines.y) * vec2f(1.0, in.tile.w));
+    response = reflected(factors(cosines.x, cosines.y) * vec2f(1.0, in.cosines.z));
 #endif
 #if HAIR_SHADOW
     // K10: what a shell further out covers of the way to the light.
     let above = min(place_among + 2u, u32(frame.eye.w) - 1u);
     let rise = shells[above].height - shells[place_among].height;
     let over = tile + aside(in.toward_light, 0.15) * rise;
-    let covered = hair_at(over, above, shells[above].image, in.blur_cut.x).a;
+    let covered = hair_at(over, above, shells[above].image, in.tile.z).a;
     // Nothing is above the outermost.
     response *= 1.0 - frame.facing.w * covered * select(0.0, 1.0, in.toward_light.z > 0.0 && rise > 0.0);
 #endif
@@ -191,9 +200,9 @@ fn first_response(in: ShellVertex, tile: vec2f, place_among: u32) -> vec3f {
 
 fn shell_light(in: ShellVertex, tile: vec2f, place_among: u32) -> vec3f {
 #if SPLIT
-    return in.light.xyz + in.direct.xyz * first_response(in, tile, place_among);
+    return in.light + in.direct * first_response(in, tile, place_among);
 #else
-    return in.light.xyz;
+    return in.light;
 #endif
 }
 
@@ -215,16 +224,16 @@ fn shell_colour(in: ShellVertex) -> vec4f {
         let between = f32(i % steps) / f32(steps);
         let height = mix(shells[upper].height, shells[below].height, between);
         let tile = in.tile.xy + slide * (top - height);
-        var hair = hair_at(tile, upper, shells[upper].image, in.blur_cut.x);
+        var hair = hair_at(tile, upper, shells[upper].image, in.tile.z);
         if steps > 1u {
             // A sample of the volume between two layers stands for a part of one.
-            hair = mix(hair, hair_at(tile, below, shells[below].image, in.blur_cut.x), between);
+            hair = mix(hair, hair_at(tile, below, shells[below].image, in.tile.z), between);
             hair *= (1.0 - pow(max(1.0 - hair.a, 0.0), 1.0 / f32(steps))) / max(hair.a, 1e-6);
         }
         let share = clamp((top - height) / depth, 0.0, 1.0);
-        var light = mix(in.light.xyz, in.light_below, share);
+        var light = mix(in.light, in.light_below, share);
 #if SPLIT
-        light += mix(in.direct.xyz, in.direct_below, share) * first_response(in, tile, upper);
+        light += mix(in.direct, in.direct_below, share) * first_response(in, tile, upper);
 #endif
         sum += (1.0 - sum.a) * there * vec4f(hair.rgb * light, hair.a);
     }
@@ -232,17 +241,18 @@ fn shell_colour(in: ShellVertex) -> vec4f {
 }
 #else
 fn shell_colour(in: ShellVertex) -> vec4f {
-    let hair = hair_at(in.tile.xy, in.shell.y, in.shell.x, in.blur_cut.x) * kept(in);
+    let hair = hair_at(in.tile.xy, in.shell.y, in.shell.x, in.tile.z) * kept(in);
     return vec4f(hair.rgb * shell_light(in, in.tile.xy, in.shell.y), hair.a);
 }
 #endif
 
 // How much of its fur a place has left.
 fn kept(in: ShellVertex) -> f32 {
-#if CUT
-    return clamp(in.tile.z, 0.0, 1.0) * clamp(in.blur_cut.y, 0.0, 1.0);
+#if KEPT
+    let kept = clamp(in.kept, vec2f(0.0), vec2f(1.0));
+    return kept.x * kept.y;
 #else
-    return clamp(in.tile.z, 0.0, 1.0);
+    return 1.0;
 #endif
 }
 

@@ -4,8 +4,10 @@ struct SurfaceVertex {
     @builtin(position) position: vec4f,
     @location(0) tile: vec3f,   // tile coordinates, growth
     @location(1) light: vec3f,  // under the fur, lit at vertices: hardly any of it is seen
+#if !GROWN
     @location(2) skin: vec3f,   // the skin's own colour, lit at pixels
     @location(3) normal: vec3f,
+#endif
 #if SHADOW_MAP
     @location(4) direct: vec3f,  // what of `light` is the first light's
     @location(5) in_light: vec3f,
@@ -15,15 +17,16 @@ struct SurfaceVertex {
 @vertex
 fn surface_vertex(@location(0) index: u32, @location(1) tile: vec2f) -> SurfaceVertex {
     let v = vertex_at(index);
-    // The skin's own colour is the mean of its layer: the last mip.
-    let mean = textureSampleLevel(skin_image, tile_sampler, vec2f(0.5), 16.0).rgb;
     let depth = 1.0 - shells[0].light_height;
     let toward_eye = normalize(frame.eye.xyz - v.position);
     var out: SurfaceVertex;
     out.position = frame.clip_from_coat * vec4f(v.position, 1.0);
     out.tile = vec3f(tile, growth_of(v.offset));
-    out.skin = v.colour * mean;
+#if !GROWN
+    // The skin's own colour is the mean of its layer: the last mip.
+    out.skin = v.colour * textureSampleLevel(skin_image, tile_sampler, vec2f(0.5), 16.0).rgb;
     out.normal = v.normal;
+#endif
 #if SHADOW_MAP
     out.light = v.colour * (ambient_light(v.normal, depth) + lights_from(1u, v.direction, v.normal, toward_eye, depth));
     out.direct = v.colour * hair_response(0u, v.direction, toward_eye) * direct_light(0u, v.normal, depth);
@@ -44,6 +47,10 @@ fn surface_fragment(in: SurfaceVertex) -> @location(0) vec4f {
     let light = in.light;
 #endif
     let under_fur = textureSample(shell_images, tile_sampler, in.tile.xy, shells[0].image).rgb * light;
+#if GROWN
+    return vec4f(under_fur, 1.0);
+#else
     let bare = in.skin * skin_light(normalize(in.normal), shadow);
     return vec4f(mix(bare, under_fur, clamp(in.tile.z, 0.0, 1.0)), 1.0);
+#endif
 }
