@@ -243,7 +243,7 @@ fn a_real_dolly_out_does_not_pop_either() {
 #[test]
 fn mips_that_are_left_out_of_the_blending_are_not_missed() {
     // Tiles so small that what is seen of them is down their mips, by little or far.
-    for (tiles, level, most_mean, most_all) in [(16.0, 0.8, 0.25, 8), (24.0, 0.6, 0.07, 3), (60.0, 0.8, 0.05, 3)] {
+    for (tiles, level, most_mean, most_all) in [(16.0, 0.8, 0.25, 8), (24.0, 0.6, 0.075, 4), (60.0, 0.8, 0.05, 3)] {
         let coat = coat(&shapes::sphere(8, tiles), Style { length: 0.05, ..Style::default() }, &leveled(true));
         for times in [2.0, 5.0, 9.0] {
             let options = |level| Options { detail: Detail::Level(level), fins: false, ..Options::default() };
