@@ -116,7 +116,7 @@ const GROUPS: &[Group] = &[
     Group {
         title: "fins",
         graph: "shorn",
-        common: &[("picture.depth", "Written")],
+        common: &[],
         exact: ("sixteen quads each", &[("picture.fin_segments", "16")]),
         options: &[
             ("six quads", &[]),

@@ -26,6 +26,7 @@ pub const VARIANTS: &[Variant] = &[
     Variant { name: "levels-skin", graph: "figure4", overrides: &[("picture.detail", "Level(level: 4.0)")] },
     Variant { name: "shadows-off", graph: "shadows", overrides: &[("picture.shadows", "false")] },
     Variant { name: "march-accurate", graph: "marched", overrides: &[("picture.march", "1"), ("picture.march_steps", "4")] },
+    Variant { name: "coverage", graph: "shorn", overrides: &[("picture.depth", "Coverage")] },
     Variant { name: "by-patch", graph: "blocks", overrides: &[("picture.lighting", "Patches")] },
     Variant { name: "fin-from-a-file", graph: "drawn", overrides: &[("picture.shells", "false")] },
 ];

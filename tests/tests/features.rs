@@ -1,9 +1,9 @@
 //! Each feature of the sources that a saved graph uses is seen in its picture: with the feature changed or switched off, the golden notices.
 #![allow(clippy::print_stdout, reason = "the distance that each feature makes")]
 
-use pelage_tests::{Bounds, Error, Golden, Scene};
+use pelage_tests::{Bounds, Error, Golden, Scene, VARIANTS};
 
-/// The feature's id in the design, the graph that uses it, and what takes it away.
+/// The feature's id in the design, the graph or variant that uses it, and what takes it away.
 const FEATURES: &[(&str, &str, &str, &str)] = &[
     ("L2 directions from a few constraints", "ring", "combed.constraints", "[]"),
     ("L2 one direction for the whole surface", "bunny", "combed.toward", "(-1.0, 0.7, 0.15)"),
@@ -34,7 +34,10 @@ const FEATURES: &[(&str, &str, &str, &str)] = &[
     ("K11 hair bends", "shorn", "coat.bend", "0.0"),
     ("K11 fins bend with it", "shorn", "picture.fin_segments", "1"),
     ("K18 hair is cut where its field says", "shorn", "coat.lengths_as", "Scale"),
-    ("alpha to coverage", "shorn", "picture.depth", "Written"),
+    ("alpha to coverage", "coverage", "picture.depth", "Written"),
+    ("lighting by patch", "by-patch", "picture.lighting", "Vertices"),
+    ("L11 all fins, whole", "figure4-e", "picture.fins_on", "Faded"),
+    ("L16 a level by hand", "figure4-j", "picture.detail", "Level(level: 0.0)"),
     ("L16 fewer shells from afar", "levels", "far.detail", "Level(level: 0.0)"),
     ("L16 eight shells", "figure4", "picture.detail", "Level(level: 1.0)"),
     ("L15 directions by pixel", "shadows", "picture.direction_map", "false"),
@@ -57,7 +60,9 @@ fn each_feature_is_seen() -> Result<(), Error> {
     let mut evaluator = pelage_nodes::evaluator(1 << 30);
     let mut unseen = Vec::new();
     for (feature, graph, input, value) in FEATURES {
-        let picture = Scene::evaluate_with(&mut evaluator, graph, &[(input, value)])?.picture()?;
+        let (of, set) = VARIANTS.iter().find(|variant| variant.name == *graph).map_or((*graph, &[][..]), |v| (v.graph, v.overrides));
+        let overrides: Vec<(&str, &str)> = set.iter().copied().chain([(*input, *value)]).collect();
+        let picture = Scene::evaluate_with(&mut evaluator, of, &overrides)?.picture()?;
         let comparison = Golden::read(graph)?.compare(&picture)?;
         println!("{feature}: FLIP mean {:.4}, 99th percentile {:.4}", comparison.mean, comparison.p99);
         if comparison.within(Bounds::KEPT) {
