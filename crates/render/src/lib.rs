@@ -65,6 +65,7 @@ mod background;
 mod blend;
 mod buffers;
 mod counts;
+mod crowd;
 mod error;
 mod fins;
 mod frame_groups;
@@ -91,6 +92,7 @@ mod timing;
 mod uniforms;
 mod view;
 
+pub use crowd::Crowd;
 pub use error::RenderError;
 pub use fins::{FinEdge, fin_edges, fin_opacity};
 pub use gpu_coat::GpuCoat;

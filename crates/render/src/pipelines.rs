@@ -28,7 +28,8 @@ pub(crate) const SHARED: [&str; 4] = [
 #[derive(Clone, Debug)]
 pub(crate) struct PassPipelines {
     pub(crate) surface: RenderPipeline,
-    pub(crate) fins: RenderPipeline,
+    /// None for a crowd.
+    pub(crate) fins: Option<RenderPipeline>,
     pub(crate) shells: RenderPipeline,
 }
 
@@ -57,6 +58,8 @@ pub(crate) struct Variant {
     sky: bool,
     /// Lights at infinity.
     lights: u32,
+    /// Drawn at many places at once.
+    instanced: bool,
 }
 
 /// Where the first light is evaluated.
@@ -113,7 +116,13 @@ impl Variant {
             grown,
             sky: view.lights.ambient.0[2..].iter().all(|&term| term == Vec3::ZERO),
             lights: view.lights.directional.len().min(MOST_LIGHTS) as u32,
+            instanced: false,
         }
+    }
+
+    /// The same for a crowd.
+    pub(crate) fn instanced(self) -> Self {
+        Self { instanced: true, ..self }
     }
 
     /// The names that the shaders' conditions ask for.
@@ -132,6 +141,7 @@ impl Variant {
             ("GROWN", self.grown),
             ("KEPT", self.cut || !self.grown),
             ("SKY", self.sky),
+            ("INSTANCED", self.instanced),
             ("MARCH", march),
             ("SHADOW_MAP", self.shadow_map),
             ("SPLIT", per_pixel || self.hair_shadow || self.shadow_map),
@@ -184,7 +194,7 @@ impl Pipelines {
             source: include_str!("shaders/surface.wgsl"),
             vertex: "surface_vertex",
             fragment: "surface_fragment",
-            buffers: 1,
+            buffers: if variant.instanced { 2 } else { 1 },
             // Where an open surface shows its back, it is skin all the same.
             primitive: PrimitiveState::default(),
             write_depth: true,
@@ -216,7 +226,7 @@ impl Pipelines {
         };
         PassPipelines {
             surface: self.pipeline(device, &surface, variant),
-            fins: self.pipeline(device, &fins, variant),
+            fins: (!variant.instanced).then(|| self.pipeline(device, &fins, variant)),
             shells: self.pipeline(device, &shells, variant),
         }
     }
@@ -266,7 +276,7 @@ struct Pass<'a> {
     source: &'a str,
     vertex: &'a str,
     fragment: &'a str,
-    /// Vertex buffers: patch vertices, then which shell.
+    /// Vertex buffers: patch vertices, then which shell, of a crowd also which place.
     buffers: usize,
     primitive: PrimitiveState,
     write_depth: bool,

@@ -4,7 +4,8 @@ use std::ops::Range;
 
 use pelage_lighting::{HairLighting, LightingTable, TableLayout};
 use wgpu::{
-    BindGroup, CommandEncoder, ComputePass, ComputePassDescriptor, Device, IndexFormat, Queue, RenderPass, RenderPipeline, TextureView,
+    BindGroup, Buffer, CommandEncoder, ComputePass, ComputePassDescriptor, Device, IndexFormat, Queue, RenderPass, RenderPipeline,
+    TextureView,
 };
 
 use crate::blend::BlendedStack;
@@ -28,6 +29,8 @@ pub struct PreparedView {
     /// What the bindings were made for.
     made_for: Resources,
     blended: Option<BlendedStack>,
+    /// Where a crowd stands.
+    places: Option<Buffer>,
     shadows: Option<ShadowMap>,
     light: LightView,
     pub(crate) fins: Selection,
@@ -78,18 +81,20 @@ impl PreparedView {
         coat: &GpuCoat,
         view: &View,
         viewpoint: &Viewpoint,
+        places: Option<&Buffer>,
     ) -> Result<Self, RenderError> {
         let buffers = FrameBuffers::new(device);
         let fins = Selection::new(device, queue, &shared.selectors, Kind::Fins, &buffers.frame, coat);
         let parts = GroupParts { factors: &shared.no_table, anisotropy: 1, blended: None, shadows: None };
         let mut prepared = Self {
-            groups: FrameGroups::new(device, shared, coat, &buffers, &fins.survivors, &parts),
+            groups: FrameGroups::new(device, shared, coat, &buffers, places.unwrap_or(&fins.survivors), &parts),
             made_for: Resources { anisotropy: 1, ..Resources::default() },
             blended: None,
+            places: places.cloned(),
             shadows: None,
             light: LightView::new(coat, view),
             faces: Selection::new(device, queue, &shared.selectors, Kind::Faces, &buffers.frame, coat),
-            pipelines: shared.pipelines.get(device, variant(coat, view, false)),
+            pipelines: shared.pipelines.get(device, variant(coat, view, false, places.is_some())),
             casters: None,
             hidden: None,
             schedule: Schedule::default(),
@@ -126,7 +131,7 @@ impl PreparedView {
         if self.made_for != resources {
             self.make(device, queue, shared, coat, view, resources)?;
         }
-        self.pipelines = shared.pipelines.get(device, variant(coat, view, schedule.is_shared()));
+        self.pipelines = shared.pipelines.get(device, variant(coat, view, schedule.is_shared(), self.places.is_some()));
         (self.schedule, self.light) = (schedule, light);
         self.write(queue, coat, view, &uniform);
         if let Some(shadows) = self.shadows.as_mut().filter(|_| !same_shadows) {
@@ -163,7 +168,8 @@ impl PreparedView {
             blended: blended_view.as_ref(),
             shadows: self.shadows.as_ref().map(|shadows| &shadows.targets),
         };
-        self.groups = FrameGroups::new(device, shared, coat, &self.buffers, &self.fins.survivors, &parts);
+        let second = self.places.as_ref().unwrap_or(&self.fins.survivors);
+        self.groups = FrameGroups::new(device, shared, coat, &self.buffers, second, &parts);
         self.made_for = resources;
         Ok(())
     }
@@ -262,10 +268,8 @@ impl PreparedView {
     }
 
     pub(crate) fn draw_fins(&self, pass: &mut RenderPass<'_>, coat: &GpuCoat) {
-        if !self.shown.fins {
-            return;
-        }
-        self.begin(pass, coat, &self.pipelines.fins);
+        let Some(pipeline) = self.pipelines.fins.as_ref().filter(|_| self.shown.fins) else { return };
+        self.begin(pass, coat, pipeline);
         pass.draw_indirect(&self.fins.draws, 0);
     }
 
@@ -286,6 +290,24 @@ impl PreparedView {
                 pass.draw_indexed(0..3 * coat.runs[run].faces, 0, 0..range.end - range.start);
             }
         }
+    }
+
+    /// The skin at the places of a crowd that `words` name.
+    pub(crate) fn draw_crowd_surface(&self, pass: &mut RenderPass<'_>, coat: &GpuCoat, words: &Buffer, range: Range<u32>) {
+        self.begin(pass, coat, &self.pipelines.surface);
+        pass.set_vertex_buffer(0, coat.tiles.slice(..));
+        pass.set_vertex_buffer(1, words.slice(..));
+        pass.set_index_buffer(coat.faces.slice(..), IndexFormat::Uint32);
+        pass.draw_indexed(0..coat.corner_count, 0, range);
+    }
+
+    /// The shells that `words` name, place by place.
+    pub(crate) fn draw_crowd_shells(&self, pass: &mut RenderPass<'_>, coat: &GpuCoat, words: &Buffer, range: Range<u32>) {
+        self.begin(pass, coat, &self.pipelines.shells);
+        pass.set_vertex_buffer(0, coat.tiles.slice(..));
+        pass.set_vertex_buffer(1, words.slice(..));
+        pass.set_index_buffer(coat.furred_faces.slice(..), IndexFormat::Uint32);
+        pass.draw_indexed(0..3 * coat.furred_face_count(), 0, range);
     }
 
     fn begin(&self, pass: &mut RenderPass<'_>, coat: &GpuCoat, pipeline: &RenderPipeline) {
@@ -328,9 +350,10 @@ fn draws(schedule: &Schedule, coat: &GpuCoat) -> Vec<Range<u32>> {
 }
 
 /// What the shaders are compiled for.
-fn variant(coat: &GpuCoat, view: &View, shared: bool) -> Variant {
+fn variant(coat: &GpuCoat, view: &View, shared: bool, crowd: bool) -> Variant {
     let grown = coat.shortest * view.options.length_scale >= GROWTH_LENGTH;
-    Variant::new(view, coat.traits, shared, grown)
+    let variant = Variant::new(view, coat.traits, shared, grown);
+    if crowd { variant.instanced() } else { variant }
 }
 
 fn table_of(view: &View) -> Option<(HairLighting, TableLayout)> {

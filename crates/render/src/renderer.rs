@@ -1,5 +1,6 @@
 //! Draws coats into a render pass of the caller's.
 
+use glam::Mat4;
 use pelage_coat::{Coat, Encoding};
 use wgpu::{
     AddressMode, CommandEncoder, CompareFunction, ComputePassDescriptor, ComputePassTimestampWrites, Device, Features, FilterMode,
@@ -7,6 +8,7 @@ use wgpu::{
 };
 
 use crate::blend::Blender;
+use crate::crowd::Crowd;
 use crate::pipelines::Pipelines;
 use crate::pyramid::PyramidBuilder;
 use crate::selection::Selectors;
@@ -100,7 +102,7 @@ impl Renderer {
         view: &View,
         viewpoint: &Viewpoint,
     ) -> Result<PreparedView, RenderError> {
-        PreparedView::new(device, queue, &self.shared, coat, view, viewpoint)
+        PreparedView::new(device, queue, &self.shared, coat, view, viewpoint, None)
     }
 
     /// Moves a view to the next frame's: a few kilobytes are written, pipelines are made where options are used for the first time.
@@ -150,6 +152,48 @@ impl Renderer {
         depth: DepthBuffer<'_>,
     ) {
         view.record_hidden(device, queue, encoder, &self.shared, coat, depth);
+    }
+
+    /// Makes room for one coat at `most` places at once, drawn together; see [`Crowd`]. The frame is the world's: camera and lights are not carried over.
+    ///
+    /// # Errors
+    /// Those of [`Renderer::prepare`]; more places than the device has room for.
+    pub fn prepare_crowd(
+        &self,
+        device: &Device,
+        queue: &Queue,
+        coat: &GpuCoat,
+        (view, world): (&View, &Viewpoint),
+        most: u32,
+    ) -> Result<Crowd, RenderError> {
+        Crowd::new(device, queue, &self.shared, coat, (view, world), most)
+    }
+
+    /// Moves a crowd to the next frame: `places` are the matrices from the coat to the world; `world` is the camera with
+    /// [`Viewpoint::clip_from_coat`] from the world to clip space and the eye in the world.
+    ///
+    /// # Errors
+    /// Those of [`Renderer::prepare`]; more places than there is room for.
+    pub fn update_crowd(
+        &self,
+        device: &Device,
+        queue: &Queue,
+        coat: &GpuCoat,
+        crowd: &mut Crowd,
+        (view, world): (&View, &Viewpoint),
+        places: &[Mat4],
+    ) -> Result<(), RenderError> {
+        crowd.update(device, queue, &self.shared, coat, (view, world), places)
+    }
+
+    /// The opaque skin of a crowd; nothing is to be computed ahead.
+    pub fn draw_crowd_surface(&self, pass: &mut RenderPass<'_>, coat: &GpuCoat, crowd: &Crowd) {
+        crowd.draw_surface(pass, coat);
+    }
+
+    /// The shells of a crowd, after the skin of everything.
+    pub fn draw_crowd_shells(&self, pass: &mut RenderPass<'_>, coat: &GpuCoat, crowd: &Crowd) {
+        crowd.draw_shells(pass, coat);
     }
 
     /// Records surface, fins and shells into a pass of this renderer's [`Target`], after [`Renderer::compute`].

@@ -61,14 +61,7 @@ impl Schedule {
     /// The schedule for levels as [`pelage_coat::ShellTexture`] has them, for fur that is `length` long, in diameters.
     pub(crate) fn new(levels: &[Vec<ShellLayer>], options: &Options, viewpoint: &Viewpoint, length: f32) -> Self {
         let coarsest = levels.len().saturating_sub(1) as f32;
-        let shells = levels.first().map_or(0, Vec::len);
-        let wanted = match options.detail {
-            Detail::Level(level) => level,
-            Detail::Spacing(pixels) => level_for(shells, pixels, viewpoint.pixels_of(length)),
-            Detail::Whole(pixels) => level_for(shells, pixels, viewpoint.pixels_of(length)).round(),
-        };
-        // NaN is no wish at all.
-        let level = wanted.max(0.0).min(coarsest);
+        let level = level(levels, options.detail, viewpoint, length);
         let (base, part) = (level.floor(), level.fract());
         let blend = smooth(((part - (1.0 - BLEND_BAND)) / BLEND_BAND).max(0.0));
         let Some(fine) = levels.get(base as usize) else { return Self::default() };
@@ -169,6 +162,18 @@ fn shell(layer: ShellLayer) -> Shell {
         step: 0.0,
         unused: 0.0,
     }
+}
+
+/// The level that is wanted for fur that is `length` long, of those that there are.
+pub(crate) fn level(levels: &[Vec<ShellLayer>], detail: Detail, viewpoint: &Viewpoint, length: f32) -> f32 {
+    let shells = levels.first().map_or(0, Vec::len);
+    let wanted = match detail {
+        Detail::Level(level) => level,
+        Detail::Spacing(pixels) => level_for(shells, pixels, viewpoint.pixels_of(length)),
+        Detail::Whole(pixels) => level_for(shells, pixels, viewpoint.pixels_of(length)).round(),
+    };
+    // NaN is no wish at all.
+    wanted.max(0.0).min(levels.len().saturating_sub(1) as f32)
 }
 
 /// The level at which `shells` shells, spread over `length` pixels, are `spacing` pixels apart; below 0 if they are further already.

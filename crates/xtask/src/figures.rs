@@ -5,12 +5,13 @@
 use crate::failure::Result;
 use crate::place::Place;
 use crate::process::CommandLine;
+use crate::vulkan;
 
 /// A program that prints figures.
 struct Figure {
     /// What it measures, beside what.
     what: &'static str,
-    /// What cargo is told.
+    /// What cargo is told; after `--`, what the program is told.
     cargo: &'static str,
 }
 
@@ -37,11 +38,16 @@ const FIGURES: &[Figure] = &[
     },
     Figure { what: "lighting tables: sizes, indexings, errors", cargo: "run --release -p pelage-lighting --example table_error" },
     Figure { what: "lighting by formula and by table", cargo: "bench -p pelage-lighting --bench lighting" },
+    Figure {
+        what: "frames of two bunnies beside the same draw, a plain renderer and the exact visible set; by shells, by distance, by option",
+        cargo: "bench -p pelage-tests --bench spine -- 3",
+    },
     Figure { what: "the graph engine: parsing, checking, running, saving", cargo: "bench -p pelage-graph --bench graph" },
 ];
 
 /// Prints every figure. Fails only where a program does.
 pub(crate) fn print(place: &Place) -> Result<()> {
+    vulkan::make_sure()?;
     FIGURES.iter().try_for_each(|figure| {
         println!("\n{}", figure.what);
         command(place, figure).run()
@@ -49,7 +55,9 @@ pub(crate) fn print(place: &Place) -> Result<()> {
 }
 
 fn command(place: &Place, figure: &Figure) -> CommandLine {
-    CommandLine::cargo().with(figure.cargo.split_whitespace()).with(["--quiet", "--locked"]).within(place.root())
+    let (cargo, program) = figure.cargo.split_once(" -- ").unwrap_or((figure.cargo, ""));
+    let line = CommandLine::cargo().with(cargo.split_whitespace()).with(["--quiet", "--locked"]).within(place.root());
+    if program.is_empty() { line } else { line.with(["--"]).with(program.split_whitespace()) }
 }
 
 #[cfg(test)]
@@ -60,8 +68,15 @@ mod tests {
 
     use super::*;
 
-    /// Those that measure pictures: they need a graphics adapter and minutes, and are printed by hand.
-    const OF_PICTURES: &[&str] = &["bench -p pelage-accuracy --bench compare", "bench -p pelage-tests --bench spine"];
+    /// Those that take minutes, and are printed by hand.
+    const LONG: &[&str] = &["bench -p pelage-accuracy --bench compare"];
+
+    #[test]
+    fn what_the_program_is_told_comes_last() {
+        let figure = Figure { what: "", cargo: "bench -p x -- 3 far" };
+        let line = command(&Place::find().unwrap(), &figure).to_string();
+        assert!(line.contains("bench -p x --quiet --locked -- 3 far"), "{line}");
+    }
 
     #[test]
     fn every_benchmark_of_the_workspace_is_printed_or_named_as_left_out() {
@@ -71,8 +86,11 @@ mod tests {
             benches.map(move |bench| format!("bench -p {} --bench {}", package.name, bench.name))
         });
         let there: BTreeSet<String> = benches.collect();
-        let printed =
-            FIGURES.iter().map(|figure| figure.cargo).chain(OF_PICTURES.iter().copied()).filter(|line| line.starts_with("bench -p "));
+        let printed = FIGURES
+            .iter()
+            .filter_map(|figure| figure.cargo.split(" -- ").next())
+            .chain(LONG.iter().copied())
+            .filter(|line| line.starts_with("bench -p "));
         assert_eq!(there, printed.map(str::to_owned).collect());
     }
 }

@@ -14,6 +14,7 @@ use wgpu::{
     TextureDimension, TextureFormat, TextureUsages, TextureView, TextureViewDescriptor,
 };
 
+#[allow(unused_imports, reason = "not every program draws them")]
 pub use opaque::{Block, Opaque};
 
 /// What most engines use: depth 0 at the near plane.
@@ -97,8 +98,8 @@ impl Host {
         }
     }
 
-    /// Writes the canvas as a PNG; its width must be a multiple of 64.
-    pub fn save(&self, path: &Path) -> Result<(), Box<dyn Error>> {
+    /// The canvas, four bytes a pixel; its width must be a multiple of 64.
+    pub fn pixels(&self) -> Result<Vec<u8>, Box<dyn Error>> {
         let (width, height) = self.size;
         let buffer = self.device.create_buffer(&wgpu::BufferDescriptor {
             label: Some("pixels"),
@@ -114,9 +115,14 @@ impl Host {
         buffer.slice(..).map_async(MapMode::Read, |_| ());
         self.device.poll(PollType::wait_indefinitely())?;
         let pixels = buffer.slice(..).get_mapped_range()?;
+        Ok(pixels.to_vec())
+    }
+
+    /// Writes the canvas as a PNG.
+    pub fn save(&self, path: &Path) -> Result<(), Box<dyn Error>> {
         if let Some(folder) = path.parent() {
             std::fs::create_dir_all(folder)?;
         }
-        Ok(image::save_buffer(path, &pixels, width, height, image::ExtendedColorType::Rgba8)?)
+        Ok(image::save_buffer(path, &self.pixels()?, self.size.0, self.size.1, image::ExtendedColorType::Rgba8)?)
     }
 }

@@ -2,7 +2,11 @@
 
 @group(0) @binding(0) var<uniform> frame: Frame;
 @group(0) @binding(1) var<uniform> shells: array<Shell, 256>;
+#if INSTANCED
+@group(0) @binding(2) var<storage, read> places: array<Place>;
+#else
 @group(0) @binding(2) var<storage, read> visible_fins: array<vec2u>;  // edge, opacity
+#endif
 @group(0) @binding(3) var factor_table: texture_2d<f32>;
 @group(0) @binding(4) var table_sampler: sampler;
 @group(0) @binding(5) var tile_sampler: sampler;

@@ -46,6 +46,27 @@ struct Vertex {
     end: f32,
 };
 
+#if INSTANCED
+// Where one of a crowd stands: the rows of the matrix from the coat to the world, which turns, moves and scales evenly. Mirrors crowd.rs.
+struct Place {
+    x: vec4f,
+    y: vec4f,
+    z: vec4f,
+};
+
+// Which of the places a vertex belongs to; set first by the vertex shaders.
+var<private> place_number: u32;
+
+fn in_world(v: vec4f) -> vec3f {
+    let place = places[place_number];
+    return vec3f(dot(place.x, v), dot(place.y, v), dot(place.z, v));
+}
+
+fn size_in_world() -> f32 {
+    return length(places[place_number].x.xyz);
+}
+#endif
+
 // A unit vector from a place on the unfolded octahedron.
 fn folded(e: vec2f) -> vec3f {
     let z = 1.0 - abs(e.x) - abs(e.y);
@@ -68,7 +89,7 @@ fn vertex_at(index: u32) -> Vertex {
     let f = fur[index];
     let l = looks[index];
     let blue_end = unpack2x16float(l.y);
-    return Vertex(
+    let v = Vertex(
         bitcast<vec3f>(s.xyz),
         unpack_direction(s.w),
         bitcast<vec3f>(f.xyz) * frame.fur.x,
@@ -77,6 +98,20 @@ fn vertex_at(index: u32) -> Vertex {
         vec3f(unpack2x16float(l.x), blue_end.x),
         blue_end.y,
     );
+#if INSTANCED
+    // The frame is that of the world.
+    return Vertex(
+        in_world(vec4f(v.position, 1.0)),
+        in_world(vec4f(v.normal, 0.0)) / size_in_world(),
+        in_world(vec4f(v.offset, 0.0)),
+        in_world(vec4f(v.bend, 0.0)),
+        in_world(vec4f(v.direction, 0.0)) / size_in_world(),
+        v.colour,
+        v.end,
+    );
+#else
+    return v;
+#endif
 }
 
 // How far from the skin the hair is at a height: c h + b (h² − h).
@@ -111,7 +146,11 @@ fn direction_at(v: Vertex, height: f32) -> vec3f {
 // How much of its fur a place has, to be clamped to 0 … 1 after interpolation: it comes in over the first thousandth of a diameter of
 // length, so that fur without length is no fur and there is no step on the way.
 fn growth_of(offset: vec3f) -> f32 {
+#if INSTANCED
+    return length(offset) * frame.fur.w / size_in_world();
+#else
     return length(offset) * frame.fur.w;
+#endif
 }
 
 // What a cut leaves of the hair at a height, to be clamped to 0 … 1 after interpolation: it ends over one layer.

@@ -72,8 +72,14 @@ fn aside(way: vec3f, least: f32) -> vec2f {
 @vertex
 fn shell_vertex(
     @location(0) index: u32, @location(1) tile: vec2f, @location(2) tangent: u32, @location(3) tile_side: f32,
-    @location(4) patch_vertex: u32, @location(5) place_among: u32,
+    @location(4) patch_vertex: u32, @location(5) instance: u32,
 ) -> ShellVertex {
+#if INSTANCED
+    place_number = instance >> 8u;
+    let place_among = instance & 255u;
+#else
+    let place_among = instance;
+#endif
     let shell = shells[place_among];
     let v = vertex_at(index);
     let place = v.position + curve(v, shell.height);
@@ -111,7 +117,11 @@ fn shell_vertex(
 #endif
 #if AXES
     let along = slope(v, shell.height);
+#if INSTANCED
+    let s = in_world(vec4f(tile_side * unpack_direction(tangent), 0.0));
+#else
     let s = tile_side * unpack_direction(tangent);
+#endif
 #endif
 #if MAP
     let axes = mat3x3f(normalize(s), normalize(cross(v.normal, s)), along / max(length(along), 1e-20));

@@ -14,8 +14,14 @@ struct SurfaceVertex {
 #endif
 };
 
+#if INSTANCED
+@vertex
+fn surface_vertex(@location(0) index: u32, @location(1) tile: vec2f, @location(5) instance: u32) -> SurfaceVertex {
+    place_number = instance >> 8u;
+#else
 @vertex
 fn surface_vertex(@location(0) index: u32, @location(1) tile: vec2f) -> SurfaceVertex {
+#endif
     let v = vertex_at(index);
     let depth = 1.0 - shells[0].light_height;
     let toward_eye = normalize(frame.eye.xyz - v.position);
