@@ -42,7 +42,7 @@ pub(crate) struct Shared {
 impl Renderer {
     /// A renderer for passes with this kind of target.
     ///
-    /// The device's limits must be wgpu's defaults at least (five storage buffers in the vertex stage, seven in compute shaders are used); no features are
+    /// The device's limits must be wgpu's defaults at least (five storage buffers in the vertex stage, eight in compute shaders are used); no features are
     /// needed, but for textures in blocks `TEXTURE_COMPRESSION_BC`.
     pub fn new(device: &Device, queue: &Queue, target: Target) -> Self {
         let shared = Shared {
