@@ -5,14 +5,21 @@
 //! [`Offscreen`] and [`render_picture`] do it without a window, on an adapter that [`Headless`] finds, and give back pixels and figures.
 //!
 //! # Convention
-//! Everything is in coat coordinates ([`pelage_coat`]); a model matrix belongs into [`Viewpoint::clip_from_coat`], with eye and light
-//! carried over. Depth is reversed (1 near, 0 far) unless the [`Target`] says otherwise. Alpha is premultiplied, blending is linear: use a
+//! Everything is in coat coordinates ([`pelage_coat`]); a model matrix goes through [`Viewpoint::placed`], with the lights carried over. Depth is reversed (1 near, 0 far) unless the [`Target`] says otherwise. Alpha is premultiplied, blending is linear: use a
 //! target in an sRGB or a float format. Where light comes from and what fur makes of it is [`pelage_lighting::Shading`]; the shaders
 //! compute the same formula in `f32`, which a test holds them to.
 //!
 //! # A frame
-//! Surface, fins, shells, in this order (section 2.3): the skin writes depth; the fins near the silhouette test depth; the layers, innermost
-//! first, test and, as told, write it. Layer *k* of *N* stands at *c_v · k / (N − 1)*; layer 0 is the skin.
+//! 1. [`Renderer::compute`] picks the edges that carry a fin and the faces of which a shell can be seen, blends levels of detail where a view is between
+//!    two, and draws the shadow map where it is stale; nothing goes back to the processor.
+//! 2. Surface, fins, shells, in this order (section 2.3): the skin writes depth; the fins near the silhouette test depth; the shells, innermost first, test
+//!    and, as told, write it. Shell *k* of *N* stands at *c_v · k / (N − 1)* unless its [`pelage_coat::ShellLayer`] says otherwise; shell 0 is the skin.
+//! 3. Between surface and shells [`Renderer::find_hidden`] may leave out faces that what has been drawn hides.
+//!
+//! One coat at many places is a [`Crowd`]: a draw for each run of one level of detail.
+//!
+//! # Limits
+//! wgpu's defaults, no features; `TEXTURE_COMPRESSION_BC` for textures in blocks. What each option costs is in the README, measured.
 //!
 //! # Example
 //! A picture of a bare triangle, without a window:

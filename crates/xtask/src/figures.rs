@@ -40,7 +40,7 @@ const FIGURES: &[Figure] = &[
     Figure { what: "lighting by formula and by table", cargo: "bench -p pelage-lighting --bench lighting" },
     Figure {
         what: "frames of two bunnies beside the same draw, a plain renderer and the exact visible set; by shells, by distance, by option",
-        cargo: "bench -p pelage-tests --bench spine -- 3",
+        cargo: "bench -p pelage-tests --bench spine -- 2",
     },
     Figure { what: "the graph engine: parsing, checking, running, saving", cargo: "bench -p pelage-graph --bench graph" },
 ];

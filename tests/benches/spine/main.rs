@@ -150,27 +150,31 @@ impl Bench<'_> {
         println!("{:44} {triangles:10} {fragments:10} {:12.3}", "exact visible set", 1.0);
     }
 
-    /// With distance, levels of detail on and off.
+    /// With distance, at two settings of the level of detail and with all shells.
     fn far(&self, coat: &Coat, name: &str) {
         let stage = self.stage(1);
-        println!("\n{name}, far away, with and without levels of detail (0.25 pixels between shells)");
+        println!("\n{name}, far away, by the least pixels between shells");
         println!(
-            "{:>8} {:>8} {:>8} {:>8} {:>10} {:>12} {:>14} {:>12} {:>14}",
-            "times", "shells", "level", "least ms", "fragments", "shells, all", "least ms, all", "fragments", "compute alone"
+            "{:>8} {:>8} {:>8} {:>8} {:>8} {:>8} {:>10} {:>10} {:>10} {:>14}",
+            "times", "pixels", "shells", "level", "least ms", "median", "of all", "fragments", "triangles", "compute alone"
         );
         for times in [1.0, 2.0, 4.0, 8.0, 16.0] {
             let view = View { camera: further(&self.view.camera, times), ..self.view.clone() };
-            let with = |detail| Fur::with(self.headless, &stage, coat, &view, Options { detail, ..view.options });
-            let (levels, all) = (with(Detail::default()), with(Detail::Level(0.0)));
-            let contenders = vec![
-                Contender::ours(self.headless, &stage, &levels, "levels", false),
-                Contender::ours(self.headless, &stage, &all, "all", false),
-            ];
-            let finishes = race(self.headless, &stage, contenders, self.rounds, [1, 1]);
-            let [a, b] = [&finishes[0], &finishes[1]].map(|Finish { least, fragments, .. }| (least, fragments.unwrap_or(0)));
-            let (shells, level, shells_all) = (levels.view.shell_count(), levels.view.level(), all.view.shell_count());
-            let compute = self.passes(coat, &view, 1).compute;
-            println!("{times:8} {shells:8} {level:8.2} {:8.1} {:10} {shells_all:12} {:14.1} {:12} {compute:14.1}", a.0, a.1, b.0, b.1);
+            let settings = [("all", Detail::Level(0.0)), ("0.25", Detail::Spacing(0.25)), ("1", Detail::Spacing(1.0))];
+            let views = settings.map(|(pixels, detail)| (pixels, View { options: Options { detail, ..view.options }, ..view.clone() }));
+            let furs = views.each_ref().map(|(pixels, view)| (*pixels, Fur::new(self.headless, &stage, coat, view)));
+            let contenders = furs.iter().map(|(pixels, fur)| Contender::ours(self.headless, &stage, fur, pixels, false)).collect();
+            let finishes = race(self.headless, &stage, contenders, self.rounds, [0, 0]);
+            for ((finish, (_, fur)), (_, view)) in finishes.iter().zip(&furs).zip(&views) {
+                let Finish { name, least, median, ratios, fragments, triangles } = finish;
+                let (shells, level) = (fur.view.shell_count(), fur.view.level());
+                let [fragments, triangles] = [fragments, triangles].map(|count| count.unwrap_or(0));
+                let compute = self.passes(coat, view, 1).compute;
+                println!(
+                    "{times:8} {name:>8} {shells:8} {level:8.2} {least:8.1} {median:8.1} {:10.2} {fragments:10} {triangles:10} {compute:14.1}",
+                    ratios[0]
+                );
+            }
         }
     }
 }
