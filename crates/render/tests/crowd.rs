@@ -9,7 +9,7 @@ mod samples;
 use glam::camera::rh::{proj::directx::perspective, view::look_at_mat4};
 use glam::{Mat4, Vec3};
 use pelage_coat::{Camera, Lights};
-use pelage_render::{Detail, GpuCoat, LightingMode, Options, RenderError, Renderer, Target, View, Viewpoint};
+use pelage_render::{Detail, GpuCoat, LightingMode, March, Options, RenderError, Renderer, Target, View, Viewpoint};
 
 use host::{COLOUR, DEPTH, Host};
 use samples::hair::Recipe;
@@ -105,7 +105,8 @@ fn a_crowd_looks_like_its_members_one_by_one() {
         of(LightingMode::Formula, Detail::Whole(0.6)),
         // Fur that comes in: its growth is a matter of the coat's lengths, not of the world's.
         Options { length_scale: 0.01, ..of(LightingMode::PerVertex, Detail::Level(0.0)) },
-        Options { hair_shadow: 1.0, ..of(LightingMode::PerVertex, Detail::Level(1.0)) },
+        // What looks along the tile's axes.
+        Options { march: March { layers: 7, steps: 1 }, hair_shadow: 1.0, ..of(LightingMode::PerVertex, Detail::Level(0.0)) },
     ] {
         let (crowd, seen) = together(&setting, options);
         assert_eq!(seen.iter().sum::<u32>(), 2, "what is behind the eye is left out: {seen:?}");
@@ -119,6 +120,41 @@ fn a_crowd_looks_like_its_members_one_by_one() {
 fn levels_differ_by_distance() {
     let (_, seen) = together(&setting(), Options { detail: Detail::Whole(1.27), ..Options::default() });
     assert!(seen.iter().filter(|&&count| count > 0).count() == 2, "{seen:?}");
+}
+
+#[test]
+fn whole_levels_are_the_nearest() {
+    let (host, renderer, coat) = setting();
+    let level = |detail| {
+        let view = view(Mat4::IDENTITY, Options { detail, ..Options::default() });
+        renderer.prepare(&host.device, &host.queue, &coat, &view, &world()).unwrap().level()
+    };
+    for pixels in [0.5, 0.9, 1.3, 1.7] {
+        let (spaced, whole) = (level(Detail::Spacing(pixels)), level(Detail::Whole(pixels)));
+        assert_eq!(whole, spaced.round(), "at {pixels} pixels");
+    }
+    assert!(level(Detail::Spacing(0.9)).fract() > 0.0);
+}
+
+#[test]
+fn the_faces_drawn_can_be_read_back() {
+    let (host, renderer, coat) = setting();
+    let faces = |culling| {
+        let view = view(Mat4::IDENTITY, Options { culling, ..Options::default() });
+        let prepared = renderer.prepare(&host.device, &host.queue, &coat, &view, &world()).unwrap();
+        let mut encoder = host.encoder();
+        renderer.compute(&mut encoder, &coat, &prepared);
+        host.finish(encoder).unwrap();
+        let stats = prepared.frame_stats(&host.device, &host.queue, &coat).unwrap();
+        let faces = prepared.shell_faces(&host.device, &host.queue, &coat).unwrap();
+        assert_eq!(faces.len(), stats.faces_drawn as usize);
+        faces
+    };
+    let (picked, all) = (faces(true), faces(false));
+    assert_eq!(all.len(), 768);
+    assert!(picked.len() < 600 && picked.len() > 300, "about the half that faces the eye, and what fur adds: {}", picked.len());
+    let mut rest = all.iter();
+    assert!(picked.iter().all(|face| rest.any(|other| other == face)), "in their order, no face twice");
 }
 
 #[test]
