@@ -40,16 +40,17 @@ fn main() {
     let wanted = |section: &str| !named || arguments.iter().any(|a| a == section);
     let headless = pelage_tests::gpu().expect("an adapter").headless();
     println!("{} at {} × {}, {rounds} rounds", headless.summary().name, SIZE.0, SIZE.1);
+    let stages = [1, 4].map(|samples| Stage::new(headless, Target::new(TextureFormat::Rgba8UnormSrgb, samples)));
     for model in scenes::models().expect("models") {
         let mut scenes = Scenes::new(&model);
         let start = Instant::now();
         let scene = scenes.whole().expect("a picture");
         if wanted("stages") {
-            stages(&model.name, &scene, start.elapsed().as_secs_f64() * 1e3);
+            print_stages(&model.name, &scene, start.elapsed().as_secs_f64() * 1e3);
         }
         let coat = scene.coat().expect("a coat");
         let (view, _) = scene.view(&coat).expect("a view");
-        let bench = Bench { headless, view, rounds };
+        let bench = Bench { headless, stages: &stages, view, rounds };
         if wanted("floors") {
             bench.beside_floors(&coat, 1, &format!("{}, 16 shells", model.name));
             bench.beside_floors(&coat, 4, &format!("{}, 16 shells", model.name));
@@ -75,7 +76,7 @@ fn main() {
 /// What can be asked for by name; without names, all.
 const SECTIONS: [&str; 6] = ["stages", "floors", "exact", "fewer", "far", "options"];
 
-fn stages(name: &str, scene: &Scene, total: f64) {
+fn print_stages(name: &str, scene: &Scene, total: f64) {
     println!("\n{name}: from OBJ to picture, cold");
     for entry in scene.trace() {
         println!("{:12} {:16} {:9.1} ms", entry.node.to_string(), entry.kind, entry.ms);
@@ -86,13 +87,15 @@ fn stages(name: &str, scene: &Scene, total: f64) {
 /// What all sections share.
 pub struct Bench<'a> {
     headless: &'a Headless,
+    stages: &'a [Stage; 2],
     view: View,
     rounds: usize,
 }
 
 impl Bench<'_> {
-    fn stage(&self, samples: u32) -> Stage {
-        Stage::new(self.headless.device(), Target::new(TextureFormat::Rgba8UnormSrgb, samples))
+    /// For 1 or 4 samples a pixel.
+    fn stage(&self, samples: u32) -> &Stage {
+        &self.stages[usize::from(samples > 1)]
     }
 
     fn floor(&self, stage: &Stage, coat: &Coat, faces: &[[u32; 3]]) -> Floor {
@@ -103,21 +106,21 @@ impl Bench<'_> {
     fn beside_floors(&self, coat: &Coat, samples: u32, title: &str) {
         let stage = self.stage(samples);
         let (device, queue) = (self.headless.device(), self.headless.queue());
-        let fur = Fur::new(self.headless, &stage, coat, &self.view);
-        let floor = self.floor(&stage, coat, &fur.faces(self.headless, &stage));
+        let fur = Fur::new(self.headless, stage, coat, &self.view);
+        let floor = self.floor(stage, coat, &fur.faces(self.headless, stage));
         let plain = Plain::new(device, queue, stage.target, coat, &self.view);
-        let ours = Contender::ours(self.headless, &stage, &fur, "ours (default)", false);
+        let ours = Contender::ours(self.headless, stage, &fur, "ours (default)", false);
         let count = (ours.fragments.unwrap_or(0) as f64 / f64::from(SIZE.0 * SIZE.1 * samples)).round().max(1.0) as u32;
         let full = FullScreen::new(device, queue, stage.target, coat, count);
         let drawn = ours.triangles;
         let contenders = vec![
             ours,
-            Contender::plain(self.headless, &stage, "floor: same draw", drawn, |pass| floor.draw(pass)),
-            Contender::plain(self.headless, &stage, "plain renderer", Some(plain.triangles()), |pass| plain.draw(pass)),
-            Contender::plain(self.headless, &stage, &format!("{count} full screens"), Some(u64::from(count)), |pass| full.draw(pass)),
+            Contender::plain(self.headless, stage, "floor: same draw", drawn, |pass| floor.draw(pass)),
+            Contender::plain(self.headless, stage, "plain renderer", Some(plain.triangles()), |pass| plain.draw(pass)),
+            Contender::plain(self.headless, stage, &format!("{count} full screens"), Some(u64::from(count)), |pass| full.draw(pass)),
         ];
         println!("\n{title}, {samples} samples a pixel");
-        print(&race(self.headless, &stage, contenders, self.rounds, [1, 2]), ["of same draw", "of plain"]);
+        print(&race(self.headless, stage, contenders, self.rounds, [1, 2]), ["of same draw", "of plain"]);
         let PassTimes { compute, surface, fins, shells } = self.passes(coat, &self.view, samples);
         println!("ours, passes apart: compute {compute:.1} ms, surface {surface:.1}, fins {fins:.1}, shells {shells:.1}");
     }
@@ -133,9 +136,9 @@ impl Bench<'_> {
     /// How near what is submitted is to what can be seen.
     fn beside_exact_set(&self, coat: &Coat) {
         let stage = self.stage(1);
-        let mut fur = Fur::new(self.headless, &stage, coat, &self.view);
-        let picked = fur.faces(self.headless, &stage);
-        let unhidden = fur.unhidden_faces(self.headless, &stage);
+        let mut fur = Fur::new(self.headless, stage, coat, &self.view);
+        let picked = fur.faces(self.headless, stage);
+        let unhidden = fur.unhidden_faces(self.headless, stage);
         println!(
             "\n{:44} {:>10} {:>10} {:>12} {:>8}",
             "shells' fronts before the depth test", "triangles", "fragments", "of exact set", "missed"
@@ -162,9 +165,9 @@ impl Bench<'_> {
             let view = View { camera: further(&self.view.camera, times), ..self.view.clone() };
             let settings = [("all", Detail::Level(0.0)), ("0.25", Detail::Spacing(0.25)), ("1", Detail::Spacing(1.0))];
             let views = settings.map(|(pixels, detail)| (pixels, View { options: Options { detail, ..view.options }, ..view.clone() }));
-            let furs = views.each_ref().map(|(pixels, view)| (*pixels, Fur::new(self.headless, &stage, coat, view)));
-            let contenders = furs.iter().map(|(pixels, fur)| Contender::ours(self.headless, &stage, fur, pixels, false)).collect();
-            let finishes = race(self.headless, &stage, contenders, self.rounds, [0, 0]);
+            let furs = views.each_ref().map(|(pixels, view)| (*pixels, Fur::new(self.headless, stage, coat, view)));
+            let contenders = furs.iter().map(|(pixels, fur)| Contender::ours(self.headless, stage, fur, pixels, false)).collect();
+            let finishes = race(self.headless, stage, contenders, self.rounds, [0, 0]);
             for ((finish, (_, fur)), (_, view)) in finishes.iter().zip(&furs).zip(&views) {
                 let Finish { name, least, median, ratios, fragments, triangles } = finish;
                 let (shells, level) = (fur.view.shell_count(), fur.view.level());

@@ -38,23 +38,23 @@ impl Bench<'_> {
 
     fn cases(&self, coat: &Arc<Coat>, scenes: &mut Scenes<'_>, cases: &[Case<'_>], samples: u32, hidden: bool) {
         let stage = self.stage(samples);
-        let default = Fur::new(self.headless, &stage, coat, &self.view);
-        let floor = self.floor(&stage, coat, &default.faces(self.headless, &stage));
-        let mut two_passes = Fur::new(self.headless, &stage, coat, &self.view);
+        let default = Fur::new(self.headless, stage, coat, &self.view);
+        let floor = self.floor(stage, coat, &default.faces(self.headless, stage));
+        let mut two_passes = Fur::new(self.headless, stage, coat, &self.view);
         let furs: Vec<(&Case<'_>, Fur)> = cases
             .iter()
             .map(|case| {
                 let coat = scenes.coat(case.textures).expect("a coat");
-                (case, Fur::with(self.headless, &stage, &coat, &self.view, case.options))
+                (case, Fur::with(self.headless, stage, &coat, &self.view, case.options))
             })
             .collect();
-        let mut contenders = vec![Contender::ours(self.headless, &stage, &default, "default", false)];
-        contenders.push(Contender::plain(self.headless, &stage, "floor: same draw", None, |pass| floor.draw(pass)));
-        contenders.extend(furs.iter().map(|(case, fur)| Contender::ours(self.headless, &stage, fur, case.name, case.redraw)));
+        let mut contenders = vec![Contender::ours(self.headless, stage, &default, "default", false)];
+        contenders.push(Contender::plain(self.headless, stage, "floor: same draw", None, |pass| floor.draw(pass)));
+        contenders.extend(furs.iter().map(|(case, fur)| Contender::ours(self.headless, stage, fur, case.name, case.redraw)));
         if hidden {
-            contenders.push(Contender::hidden(self.headless, &stage, &mut two_passes, "hidden faces left out, in two passes"));
+            contenders.push(Contender::hidden(self.headless, stage, &mut two_passes, "hidden faces left out, in two passes"));
         }
-        print(&race(self.headless, &stage, contenders, self.rounds, [1, 0]), ["of same draw", "of default"]);
+        print(&race(self.headless, stage, contenders, self.rounds, [1, 0]), ["of same draw", "of default"]);
     }
 }
 

@@ -1,7 +1,7 @@
 //! Several ways of drawing in turn, so that a busy machine is unfair to all alike.
 
 use pelage_coat::Coat;
-use pelage_render::{DepthBuffer, GpuCoat, Headless, Options, PreparedView, Renderer, View, Viewpoint};
+use pelage_render::{DepthBuffer, GpuCoat, Headless, Options, PreparedView, View, Viewpoint};
 use wgpu::{CommandEncoder, RenderPass};
 
 use super::stage::{SIZE, Stage};
@@ -46,9 +46,9 @@ impl<'a> Contender<'a> {
             if redraw_shadows {
                 fur.view.redraw_shadows();
             }
-            fur.renderer.compute(encoder, &fur.coat, &fur.view);
+            stage.renderer.compute(encoder, &fur.coat, &fur.view);
         };
-        let draw = |pass: &mut RenderPass<'_>| fur.renderer.draw(pass, &fur.coat, &fur.view);
+        let draw = move |pass: &mut RenderPass<'_>| stage.renderer.draw(pass, &fur.coat, &fur.view);
         let fragments = Some(stage.fragments(headless, &compute, &draw));
         let record = move |encoder: &mut CommandEncoder| {
             compute(encoder);
@@ -66,7 +66,6 @@ impl<'a> Contender<'a> {
 
 /// A coat and a view of it on the device.
 pub struct Fur {
-    pub renderer: Renderer,
     pub coat: GpuCoat,
     pub view: PreparedView,
 }
@@ -74,10 +73,10 @@ pub struct Fur {
 impl Fur {
     pub fn new(headless: &Headless, stage: &Stage, coat: &Coat, view: &View) -> Self {
         let (device, queue) = (headless.device(), headless.queue());
-        let renderer = Renderer::new(device, queue, stage.target);
+        let renderer = &stage.renderer;
         let coat = renderer.upload(device, queue, coat).expect("a whole coat");
         let view = renderer.prepare(device, queue, &coat, view, &Viewpoint::of(&view.camera, SIZE)).expect("a finite view");
-        Self { renderer, coat, view }
+        Self { coat, view }
     }
 
     /// The same coat with other options.
@@ -87,7 +86,7 @@ impl Fur {
 
     /// The faces whose shells are drawn.
     pub fn faces(&self, headless: &Headless, stage: &Stage) -> Vec<[u32; 3]> {
-        stage.time(headless, &mut |encoder| self.renderer.compute(encoder, &self.coat, &self.view));
+        stage.time(headless, &mut |encoder| stage.renderer.compute(encoder, &self.coat, &self.view));
         self.view.shell_faces(headless.device(), headless.queue(), &self.coat).expect("the device answers")
     }
 
@@ -102,7 +101,7 @@ impl Fur {
     }
 
     fn record_hidden(&mut self, headless: &Headless, stage: &Stage, encoder: &mut CommandEncoder) {
-        let Self { renderer, coat, view } = self;
+        let (Self { coat, view }, renderer) = (self, &stage.renderer);
         renderer.compute(encoder, coat, view);
         renderer.draw_surface(&mut stage.pass(encoder, (true, false), None), coat, view);
         let depth = DepthBuffer { view: &stage.depth, size: SIZE };

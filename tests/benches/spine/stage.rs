@@ -2,17 +2,19 @@
 
 use std::time::Instant;
 
-use pelage_render::{Headless, Target};
+use pelage_render::{Headless, Renderer, Target};
 use wgpu::{
-    BufferDescriptor, BufferUsages, Color, CommandEncoder, CommandEncoderDescriptor, Device, Extent3d, LoadOp, MapMode, Operations,
-    PollType, QuerySet, QuerySetDescriptor, QueryType, RenderPass, RenderPassColorAttachment, RenderPassDepthStencilAttachment,
-    RenderPassDescriptor, StoreOp, TextureDescriptor, TextureDimension, TextureFormat, TextureUsages, TextureView, TextureViewDescriptor,
+    BufferDescriptor, BufferUsages, Color, CommandEncoder, CommandEncoderDescriptor, Extent3d, LoadOp, MapMode, Operations, PollType,
+    QuerySet, QuerySetDescriptor, QueryType, RenderPass, RenderPassColorAttachment, RenderPassDepthStencilAttachment, RenderPassDescriptor,
+    StoreOp, TextureDescriptor, TextureDimension, TextureFormat, TextureUsages, TextureView, TextureViewDescriptor,
 };
 
 pub const SIZE: (u32, u32) = (640, 480);
 
 pub struct Stage {
     pub target: Target,
+    /// One for all that is drawn of ours: what it has compiled is compiled.
+    pub renderer: Renderer,
     pub depth: TextureView,
     colour: TextureView,
     resolved: Option<TextureView>,
@@ -20,7 +22,8 @@ pub struct Stage {
 }
 
 impl Stage {
-    pub fn new(device: &Device, target: Target) -> Self {
+    pub fn new(headless: &Headless, target: Target) -> Self {
+        let device = headless.device();
         let view = |format: TextureFormat, sample_count| {
             let texture = device.create_texture(&TextureDescriptor {
                 label: None,
@@ -40,6 +43,7 @@ impl Stage {
             resolved: (target.samples > 1).then(|| view(target.colour, 1)),
             depth: view(target.depth, target.samples),
             occlusion: device.create_query_set(&QuerySetDescriptor { label: None, ty: QueryType::Occlusion, count: 1 }),
+            renderer: Renderer::new(device, headless.queue(), target),
             target,
         }
     }
