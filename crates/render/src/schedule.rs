@@ -51,6 +51,8 @@ pub(crate) struct Schedule {
     pub(crate) drawn: Vec<u32>,
     /// What is blended into the images that the shells show; empty where a level is drawn as it is.
     pub(crate) slots: Vec<Slot>,
+    /// How far the blend has come: 0 to 1.
+    pub(crate) blend: f32,
     /// The level, with the part of the way to the next.
     pub(crate) level: f32,
     /// What is left of the fins: with the last shell they go.
@@ -72,6 +74,7 @@ impl Schedule {
             None => Self { shells: fine.iter().map(|&layer| shell(layer)).collect(), ..Self::default() },
         };
         schedule.level = level;
+        schedule.blend = blend;
         schedule.fins = if coarsest > 0.0 { (coarsest - level).min(1.0) } else { 1.0 };
         schedule.set_steps();
         if !schedule.slots.is_empty() {

@@ -110,9 +110,7 @@ impl ShadowMap {
 
     /// Which shells cast from now on; the map is drawn anew.
     pub(crate) fn set(&mut self, queue: &Queue, schedule: &Schedule) {
-        let shells = schedule.shells.len() as u32;
-        let stride = stride(schedule);
-        let casting: Vec<u32> = (1..shells).filter(|k| (shells - 1 - k).is_multiple_of(stride)).collect();
+        let casting = casters(schedule);
         queue.write_buffer(&self.casting, 0, bytemuck::cast_slice(&casting));
         self.casting_count = casting.len() as u32;
         self.redraw();
@@ -181,9 +179,23 @@ impl ShadowMap {
     }
 }
 
-/// How many shells one that casts stands for.
-pub(crate) fn stride(schedule: &Schedule) -> u32 {
-    (schedule.shells.len() as u32).saturating_sub(1).div_ceil(MOST_CASTING).max(1)
+/// How far apart the shells are that cast. While levels blend every second image fades, and none of those may be among them.
+fn stride(schedule: &Schedule) -> u32 {
+    let steps = (schedule.shells.len() as u32).saturating_sub(1);
+    if schedule.slots.is_empty() { steps.div_ceil(MOST_CASTING).max(1) } else { 2 * steps.div_ceil(2 * MOST_CASTING).max(1) }
+}
+
+/// Which shells cast; from the outermost down.
+fn casters(schedule: &Schedule) -> Vec<u32> {
+    let shells = schedule.shells.len() as u32;
+    let outermost = if schedule.slots.is_empty() { shells.saturating_sub(1) } else { shells.saturating_sub(1) & !1 };
+    let stride = stride(schedule);
+    (1..shells).filter(|&k| k <= outermost && (outermost - k).is_multiple_of(stride)).collect()
+}
+
+/// How many shells of its own image one that casts stands for: as it blends into the composite of two, half as many.
+pub(crate) fn shells_each(schedule: &Schedule) -> f32 {
+    stride(schedule) as f32 * (1.0 - 0.5 * schedule.blend)
 }
 
 fn begin(pass: &mut RenderPass<'_>, pipeline: &RenderPipeline, group: &BindGroup, coat: &GpuCoat) {
@@ -278,6 +290,26 @@ fn pipeline(
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::{Detail, Options, Viewpoint};
+    use pelage_coat::{Camera, ShellLayer};
+
+    #[test]
+    fn no_shell_that_fades_casts() {
+        let level = |shells: u32| (0..shells).map(|k| ShellLayer::plain(k as f32 / 32.0, k)).collect::<Vec<_>>();
+        let camera = Camera { eye: Vec3::Z, target: Vec3::ZERO, up: Vec3::Y, field_of_view: 1.0, near: 0.01 };
+        let at = |shells: u32, level_of_detail: f32| {
+            let options = Options { detail: Detail::Level(level_of_detail), ..Options::default() };
+            Schedule::new(&[level(shells), level(shells.div_ceil(2))], &options, &Viewpoint::of(&camera, (64, 64)), 0.1)
+        };
+        for shells in [2, 3, 12, 16, 17, 32] {
+            let blended = at(shells, 0.9);
+            assert!(casters(&blended).iter().all(|k| k % 2 == 0), "{shells}: {:?}", casters(&blended));
+            assert!(shells < 4 || !casters(&blended).is_empty());
+            assert!(casters(&at(shells, 0.0)).len() <= MOST_CASTING as usize);
+        }
+        // At the end of the blend as many stand behind each as at the whole level.
+        assert!((shells_each(&at(32, 0.999_999)) - shells_each(&at(32, 1.0))).abs() < 1e-3);
+    }
 
     #[test]
     fn the_lights_view_holds_the_ball() {

@@ -5,7 +5,7 @@ use glam::{DVec3, Vec3};
 use pelage_lighting::{Axis, DIFFUSIVITY};
 
 use crate::schedule::Schedule;
-use crate::shadow::{LightView, stride};
+use crate::shadow::{LightView, shells_each};
 use crate::{FinRule, LightingMode, RenderError, ShellDepth, View, Viewpoint};
 
 /// Fur comes in over this length, in diameters: one spacing of the paper's layers. Below it, opacity and shadow fade, so that bare skin and fur
@@ -72,7 +72,7 @@ impl FrameUniform {
             table: table(options.lighting),
             fins: fins(view, schedule.fins),
             light_from_coat: light.light_from_coat.to_cols_array_2d(),
-            casting: [light.length, stride(schedule) as f32, light.bias, 0.0],
+            casting: [light.length, shells_each(schedule), light.bias, 0.0],
         };
         uniform.check()?;
         Ok(uniform)
