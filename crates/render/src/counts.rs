@@ -107,11 +107,7 @@ impl PreparedView {
             return Ok(Vec::new());
         }
         let mut encoder = device.create_command_encoder(&CommandEncoderDescriptor { label: Some("fins") });
-        let [draws, survivors] = [&self.fins.draws, &self.fins.survivors].map(|from| {
-            let to = readback::readable(device, from.size());
-            encoder.copy_buffer_to_buffer(from, 0, &to, 0, from.size());
-            to
-        });
+        let [draws, survivors] = [&self.fins.draws, &self.fins.survivors].map(|from| copy(device, &mut encoder, from));
         queue.submit([encoder.finish()]);
         let words = |buffer| readback::read(device, buffer, bytemuck::pod_collect_to_vec::<u8, u32>);
         let count = words(&draws)?[1] as usize;

@@ -60,7 +60,10 @@ impl Selectors {
         let pick_layout = layout("picking", &[written, written, read, uniform()]);
         let pack_layout = layout("packing", &[read, written, read, read, written, written, uniform()]);
         let shared = [include_str!("shaders/selection.wgsl"), include_str!("shaders/common.wgsl")];
-        let pick = |source, flags: &[&str]| (assemble(&[shared[0], shared[1], source], flags), "pick", vec![&scene_layout, &pick_layout]);
+        let pick = |source, flags: &[&str]| {
+            let files = [shared[0], shared[1], source, include_str!("shaders/pick.wgsl")];
+            (assemble(&files, flags), "pick", vec![&scene_layout, &pick_layout])
+        };
         let hidden: &[&str] = if target.reversed_depth { &["HIDDEN", "REVERSED"] } else { &["HIDDEN"] };
         let faces = include_str!("shaders/select_faces.wgsl");
         let pack = |flags: &[&str], name| (assemble(&[shared[0], include_str!("shaders/select.wgsl")], flags), name, vec![&pack_layout]);

@@ -1,4 +1,4 @@
-// Picks items and packs the picked in their order: each group of 256 counts its own (select_faces.wgsl, select_fins.wgsl), one group sums the
+// Packs picked items in their order: each group of 256 counts its own (pick.wgsl), one group sums the
 // counts up, and each group puts its items behind those of the groups before it. Blelloch 1990, *Prefix sums and their applications*.
 
 const GROUP: u32 = 256u;

@@ -11,11 +11,6 @@
 @group(0) @binding(5) var<storage, read> furthest: array<f32>;  // pyramid.wgsl: size, levels, then level by level
 #endif
 
-@group(1) @binding(0) var<storage, read_write> picked: array<u32>;  // per item: 0, or what is kept of it
-@group(1) @binding(1) var<storage, read_write> counts: array<u32>;  // per group: how many
-@group(1) @binding(2) var<storage, read> items: array<u32>;         // three corners each
-@group(1) @binding(3) var<uniform> selection: Selection;
-
 // A corner's hair in homogeneous coordinates, as the powers of its height: at (h) = x + y h + z h².
 struct Column {
     x: vec4f,
@@ -180,19 +175,6 @@ fn face_is_seen(face: u32) -> bool {
 #endif
 }
 
-var<workgroup> count: atomic<u32>;
-
-@compute @workgroup_size(256)
-fn pick(@builtin(global_invocation_id) id: vec3u, @builtin(local_invocation_index) lane: u32, @builtin(workgroup_id) group: vec3u) {
-    if id.x < selection.items {
-        let visible = face_is_seen(id.x);
-        picked[id.x] = select(0u, 1u, visible);
-        if visible {
-            atomicAdd(&count, 1u);
-        }
-    }
-    workgroupBarrier();
-    if lane == 0u {
-        counts[group.x] = atomicLoad(&count);
-    }
+fn kept(face: u32) -> u32 {
+    return select(0u, 1u, face_is_seen(face));
 }

@@ -6,11 +6,6 @@
 @group(0) @binding(3) var<storage, read> looks: array<vec4u>;
 @group(0) @binding(4) var<storage, read> edges: array<vec4u>;  // three for each edge
 
-@group(1) @binding(0) var<storage, read_write> picked: array<u32>;  // per item: 0, or what is kept of it
-@group(1) @binding(1) var<storage, read_write> counts: array<u32>;  // per group: how many
-@group(1) @binding(2) var<storage, read> items: array<u32>;         // three corners each
-@group(1) @binding(3) var<uniform> selection: Selection;
-
 // Lengyel et al. 2001, section 2.3.
 fn faded(area: vec3f, offset: vec3f, normal_a: vec3f, normal_b: vec3f, curvature: f32) -> f32 {
     let toward_eye = frame.toward_eye.xyz;
@@ -53,19 +48,6 @@ fn fin_opacity(edge: u32) -> f32 {
     }
 }
 
-var<workgroup> count: atomic<u32>;
-
-@compute @workgroup_size(256)
-fn pick(@builtin(global_invocation_id) id: vec3u, @builtin(local_invocation_index) lane: u32, @builtin(workgroup_id) group: vec3u) {
-    if id.x < selection.items {
-        let opacity = fin_opacity(id.x);
-        picked[id.x] = bitcast<u32>(opacity);
-        if opacity > 0.0 {
-            atomicAdd(&count, 1u);
-        }
-    }
-    workgroupBarrier();
-    if lane == 0u {
-        counts[group.x] = atomicLoad(&count);
-    }
+fn kept(edge: u32) -> u32 {
+    return bitcast<u32>(fin_opacity(edge));
 }
