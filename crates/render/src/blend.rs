@@ -1,13 +1,14 @@
 //! Two levels of detail blended on the tile (L16), before the shells are drawn from it.
 
 use wgpu::{
-    BindGroup, BindGroupDescriptor, BindGroupEntry, BindGroupLayout, BindGroupLayoutDescriptor, BindingResource, BindingType, Buffer,
-    BufferUsages, ComputePass, ComputePipeline, ComputePipelineDescriptor, Device, Extent3d, PipelineCompilationOptions,
-    PipelineLayoutDescriptor, Queue, ShaderModuleDescriptor, ShaderSource, ShaderStages, StorageTextureAccess, Texture, TextureDescriptor,
-    TextureDimension, TextureFormat, TextureUsages, TextureView, TextureViewDescriptor, TextureViewDimension,
+    BindGroup, BindGroupLayout, BindGroupLayoutDescriptor, BindingResource, BindingType, Buffer, BufferUsages, ComputePass,
+    ComputePipeline, ComputePipelineDescriptor, Device, Extent3d, PipelineCompilationOptions, PipelineLayoutDescriptor, Queue,
+    ShaderModuleDescriptor, ShaderSource, ShaderStages, StorageTextureAccess, Texture, TextureDescriptor, TextureDimension, TextureFormat,
+    TextureUsages, TextureView, TextureViewDescriptor, TextureViewDimension,
 };
 
 use crate::GpuTextures;
+use crate::bindings::bind;
 use crate::buffers::room;
 use crate::pipelines::{entry, texture, uniform};
 use crate::schedule::{MOST_SHELLS, Slot};
@@ -92,8 +93,7 @@ impl BlendedStack {
             let views = [of(source, TextureUsages::TEXTURE_BINDING), of(&stack, TextureUsages::STORAGE_BINDING)];
             let mut resources = views.iter().map(BindingResource::TextureView).collect::<Vec<_>>();
             resources.push(slots.as_entire_binding());
-            let entries: Vec<_> = resources.into_iter().zip(0..).map(|(resource, binding)| BindGroupEntry { binding, resource }).collect();
-            let group = device.create_bind_group(&BindGroupDescriptor { label: Some("blend"), layout: &blender.layout, entries: &entries });
+            let group = bind(device, "blend", &blender.layout, resources);
             (group, (source.width() >> mip).max(1))
         });
         Self { mips: mips.collect(), stack, slots }

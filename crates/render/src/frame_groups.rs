@@ -1,8 +1,9 @@
 //! What the shaders of a frame are given.
 
-use wgpu::{BindGroup, BindGroupDescriptor, BindGroupEntry, BindingResource, Buffer, BufferUsages, Device, Sampler, TextureView};
+use wgpu::{BindGroup, BindingResource, Buffer, BufferUsages, Device, Sampler, TextureView};
 
 use crate::GpuCoat;
+use crate::bindings::bind;
 use crate::buffers::room;
 use crate::renderer::Shared;
 use crate::schedule::{MOST_SHELLS, Shell};
@@ -126,8 +127,6 @@ impl Maker<'_> {
             BindingResource::Sampler(&self.shared.shadow_sampler),
             BindingResource::TextureView(&self.coat.textures.skin),
         ];
-        let entries: Vec<_> = resources.into_iter().zip(0..).map(|(resource, binding)| BindGroupEntry { binding, resource }).collect();
-        let layout = &self.shared.pipelines.frame_layout;
-        self.device.create_bind_group(&BindGroupDescriptor { label: Some("frame"), layout, entries: &entries })
+        bind(self.device, "frame", &self.shared.pipelines.frame_layout, resources)
     }
 }

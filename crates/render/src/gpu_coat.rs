@@ -2,8 +2,9 @@
 
 use glam::Vec3;
 use pelage_coat::Coat;
-use wgpu::{BindGroup, BindGroupDescriptor, BindGroupEntry, BindGroupLayout, BindingResource, Buffer, BufferUsages, Device, Queue};
+use wgpu::{BindGroup, BindGroupLayout, BindingResource, Buffer, BufferUsages, Device, Queue};
 
+use crate::bindings::bind;
 use crate::buffers::array;
 use crate::furred_faces::{FurredFaces, Run};
 use crate::pipelines::CoatTraits;
@@ -50,8 +51,7 @@ impl GpuCoat {
         let edges = array(device, queue, "edges", storage, &pack::edges(&coat.edges));
         let mut resources = [&skin, &fur, &looks, &edges].map(Buffer::as_entire_binding).to_vec();
         resources.push(BindingResource::TextureView(&textures.fin));
-        let entries: Vec<_> = resources.into_iter().zip(0..).map(|(resource, binding)| BindGroupEntry { binding, resource }).collect();
-        let bind_group = device.create_bind_group(&BindGroupDescriptor { label: Some("coat"), layout, entries: &entries });
+        let bind_group = bind(device, "coat", layout, resources);
         let furred = FurredFaces::of(coat);
         let tiles = pack::tiles(&coat.surface, &coat.patches);
         Self {

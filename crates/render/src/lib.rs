@@ -69,6 +69,7 @@
 
 mod attachments;
 mod background;
+mod bindings;
 mod blend;
 mod buffers;
 mod counts;

@@ -2,12 +2,13 @@
 
 use bytemuck::{Pod, Zeroable};
 use wgpu::{
-    BindGroup, BindGroupDescriptor, BindGroupEntry, BindGroupLayout, BindGroupLayoutDescriptor, BindingResource, BindingType, Buffer,
-    BufferUsages, ComputePass, ComputePipeline, ComputePipelineDescriptor, Device, PipelineCompilationOptions, PipelineLayoutDescriptor,
-    Queue, ShaderModuleDescriptor, ShaderSource, ShaderStages, TextureSampleType, TextureView, TextureViewDimension,
+    BindGroup, BindGroupLayout, BindGroupLayoutDescriptor, BindingResource, BindingType, Buffer, BufferUsages, ComputePass,
+    ComputePipeline, ComputePipelineDescriptor, Device, PipelineCompilationOptions, PipelineLayoutDescriptor, Queue,
+    ShaderModuleDescriptor, ShaderSource, ShaderStages, TextureSampleType, TextureView, TextureViewDimension,
 };
 
 use crate::Target;
+use crate::bindings::bind;
 use crate::buffers::{array, room};
 use crate::pipelines::{entry, storage, uniform};
 use crate::shader::assemble;
@@ -97,9 +98,8 @@ impl Pyramid {
             if k == 0 {
                 resources.push(BindingResource::TextureView(depth));
             }
-            let entries: Vec<_> = resources.into_iter().zip(0..).map(|(resource, binding)| BindGroupEntry { binding, resource }).collect();
             let layout = &builder.layouts[k.min(1)];
-            let group = device.create_bind_group(&BindGroupDescriptor { label: Some("pyramid"), layout, entries: &entries });
+            let group = bind(device, "pyramid", layout, resources);
             (group, level.written)
         });
         Self { levels: groups.collect(), furthest }

@@ -2,11 +2,11 @@
 
 use bytemuck::{Pod, Zeroable};
 use wgpu::{
-    BindGroup, BindGroupDescriptor, BindGroupEntry, BindGroupLayout, BindGroupLayoutDescriptor, Buffer, BufferUsages, ComputePass,
-    ComputePipeline, ComputePipelineDescriptor, Device, PipelineCompilationOptions, PipelineLayoutDescriptor, Queue,
-    ShaderModuleDescriptor, ShaderSource, ShaderStages,
+    BindGroup, BindGroupLayout, BindGroupLayoutDescriptor, Buffer, BufferUsages, ComputePass, ComputePipeline, ComputePipelineDescriptor,
+    Device, PipelineCompilationOptions, PipelineLayoutDescriptor, Queue, ShaderModuleDescriptor, ShaderSource, ShaderStages,
 };
 
+use crate::bindings::bind;
 use crate::buffers::{array, room};
 use crate::pipelines::{entry, storage, uniform};
 use crate::pyramid::no_pyramid;
@@ -127,11 +127,8 @@ impl Selection {
         let draws = room(device, "draws", readable | BufferUsages::INDIRECT, 20 * runs as u64);
         let number = SelectionUniform { items, groups, unused: [0; 2] };
         let number = array(device, queue, "selection", BufferUsages::UNIFORM, &[number]);
-        let bind = |label, layout, buffers: &[&Buffer]| {
-            let entries: Vec<_> =
-                buffers.iter().zip(0..).map(|(buffer, binding)| BindGroupEntry { binding, resource: buffer.as_entire_binding() }).collect();
-            device.create_bind_group(&BindGroupDescriptor { label: Some(label), layout, entries: &entries })
-        };
+        let bind =
+            |label, layout, buffers: &[&Buffer]| bind(device, label, layout, buffers.iter().map(|buffer| buffer.as_entire_binding()));
         Self {
             kind,
             groups,
@@ -184,7 +181,5 @@ impl Selection {
 fn scene(device: &Device, selectors: &Selectors, kind: Kind, frame: &Buffer, coat: &GpuCoat, pyramid: &Buffer) -> BindGroup {
     let last = if kind == Kind::Faces { &coat.tiles } else { &coat.edges };
     let resources = [frame, &coat.skin, &coat.fur, &coat.looks, last, pyramid].map(Buffer::as_entire_binding);
-    let entries: Vec<_> = resources.into_iter().zip(0..).map(|(resource, binding)| BindGroupEntry { binding, resource }).collect();
-    let layout = &selectors.scene_layout;
-    device.create_bind_group(&BindGroupDescriptor { label: Some("scene of a selection"), layout, entries: &entries })
+    bind(device, "scene of a selection", &selectors.scene_layout, resources)
 }
