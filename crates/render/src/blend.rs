@@ -12,6 +12,7 @@ use crate::bindings::bind;
 use crate::buffers::room;
 use crate::pipelines::{entry, texture, uniform};
 use crate::schedule::{MOST_SHELLS, Slot};
+use crate::shader::assemble;
 
 /// Texels along a side of what one group of the shader blends.
 const GROUP: u32 = 8;
@@ -44,7 +45,7 @@ impl Blender {
         let layout = device.create_bind_group_layout(&BindGroupLayoutDescriptor { label: Some("blend"), entries: &entries });
         let module = device.create_shader_module(ShaderModuleDescriptor {
             label: Some("blend"),
-            source: ShaderSource::Wgsl(include_str!("shaders/blend.wgsl").into()),
+            source: ShaderSource::Wgsl(assemble(&[include_str!("shaders/opacity.wgsl"), include_str!("shaders/blend.wgsl")], &[]).into()),
         });
         let pipeline_layout = device.create_pipeline_layout(&PipelineLayoutDescriptor {
             label: Some("blend"),

@@ -17,7 +17,8 @@ use crate::uniforms::MOST_LIGHTS;
 use crate::{LightingMode, ShellDepth, Target, View};
 
 /// What all drawing passes begin with.
-pub(crate) const SHARED: [&str; 4] = [
+pub(crate) const SHARED: [&str; 5] = [
+    include_str!("shaders/opacity.wgsl"),
     include_str!("shaders/common.wgsl"),
     include_str!("shaders/bindings.wgsl"),
     include_str!("shaders/lighting.wgsl"),
@@ -50,8 +51,8 @@ pub(crate) struct Variant {
     hair_shadow: bool,
     /// The first light is looked up on a map.
     shadow_map: bool,
-    /// Layers in each shell.
-    marched: u32,
+    /// A shell shows more than its own layer.
+    march: bool,
     /// Fur stands everywhere, so that no bare skin shows.
     grown: bool,
     /// Light from all around is that of a sky and a ground.
@@ -112,7 +113,7 @@ impl Variant {
             shared,
             hair_shadow: options.hair_shadow > 0.0,
             shadow_map: options.shadows.is_some(),
-            marched: if options.march.layers > 1 || options.march.steps > 1 { options.march.layers.max(1) } else { 0 },
+            march: options.march.layers > 1 || options.march.steps > 1,
             grown,
             sky: view.lights.ambient.0[2..].iter().all(|&term| term == Vec3::ZERO),
             lights: view.lights.directional.len().min(MOST_LIGHTS) as u32,
@@ -128,7 +129,6 @@ impl Variant {
     /// The names that the shaders' conditions ask for.
     fn flags(&self) -> Vec<&'static str> {
         let per_pixel = matches!(self.lighting, Lit::Formula | Lit::Table);
-        let march = self.marched > 0;
         let flags = [
             ("PATCH", self.lighting == Lit::Patch),
             ("PIXEL", per_pixel),
@@ -142,20 +142,19 @@ impl Variant {
             ("KEPT", self.cut || !self.grown),
             ("SKY", self.sky),
             ("INSTANCED", self.instanced),
-            ("MARCH", march),
+            ("MARCH", self.march),
             ("SHADOW_MAP", self.shadow_map),
             ("SPLIT", per_pixel || self.hair_shadow || self.shadow_map),
-            ("AXES", self.map || march || self.hair_shadow),
+            ("AXES", self.map || self.march || self.hair_shadow),
         ];
         flags.into_iter().filter_map(|(name, on)| on.then_some(name)).collect()
     }
 
     fn source(&self, pass: &str, samples: u32) -> String {
         format!(
-            "const MARCHED: u32 = {}u;\nconst LIGHTS: u32 = {}u;\nconst SAMPLES: u32 = {samples}u;\n{}",
-            self.marched.max(1),
+            "const LIGHTS: u32 = {}u;\nconst SAMPLES: u32 = {samples}u;\n{}",
             self.lights,
-            assemble(&[SHARED[0], SHARED[1], SHARED[2], SHARED[3], pass], &self.flags())
+            assemble(&[SHARED[0], SHARED[1], SHARED[2], SHARED[3], SHARED[4], pass], &self.flags())
         )
     }
 }

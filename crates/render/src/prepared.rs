@@ -337,12 +337,12 @@ impl PreparedView {
     }
 }
 
-/// For each run of faces, the drawn shells up to its end, as a range of the schedule's list.
+/// For each run of faces, the drawn shells that show hair up to its end, as a range of the schedule's list.
 fn draws(schedule: &Schedule, coat: &GpuCoat) -> Vec<Range<u32>> {
-    let spacing = 1.0 / schedule.layers_per_height();
+    let spacing = 1.0 / schedule.layers_per_height;
     let mut draws = vec![0..0; coat.runs.len()];
     for (place, &shell) in (0..).zip(&schedule.drawn) {
-        let Some(run) = last_run(&coat.runs, schedule.shells[shell as usize].height, spacing) else { continue };
+        let Some(run) = last_run(&coat.runs, schedule.lowest_shown(shell), spacing) else { continue };
         let range = &mut draws[run];
         *range = if range.end == 0 { place..place + 1 } else { range.start..place + 1 };
     }

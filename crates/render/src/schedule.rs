@@ -3,7 +3,7 @@
 use bytemuck::{Pod, Zeroable};
 use pelage_coat::ShellLayer;
 
-use crate::{Detail, Options, Viewpoint};
+use crate::{Detail, March, Options, Viewpoint};
 
 /// Most shells of a coat: what fits into the uniform buffer.
 pub(crate) const MOST_SHELLS: usize = 256;
@@ -22,7 +22,11 @@ pub(crate) struct Shell {
     pub(crate) opacity: f32,
     pub(crate) layers: f32,
     pub(crate) step: f32,
-    pub(crate) unused: f32,
+    pub(crate) above: u32,
+    pub(crate) top: f32,
+    pub(crate) top_light: f32,
+    pub(crate) bottom: f32,
+    pub(crate) bottom_light: f32,
 }
 
 /// Two levels that blend, image by image; mirrors `struct Slot` of blend.wgsl.
@@ -39,6 +43,9 @@ pub(crate) struct Slot {
     unused: f32,
 }
 
+/// Which shell shades another (K10), counted in the finest level's.
+const SHADING_REACH: u32 = 2;
+
 /// No coarser image: the shell fades out.
 const NONE: u32 = u32::MAX;
 
@@ -49,10 +56,14 @@ pub(crate) struct Schedule {
     pub(crate) shells: Vec<Shell>,
     /// Those of them that are drawn as shells, innermost first; never the first, which the surface shows.
     pub(crate) drawn: Vec<u32>,
+    /// How many layers each of them shows.
+    pub(crate) marched: u32,
     /// What is blended into the images that the shells show; empty where a level is drawn as it is.
     pub(crate) slots: Vec<Slot>,
     /// How far the blend has come: 0 to 1.
     pub(crate) blend: f32,
+    /// How many shells there are for a unit of height.
+    pub(crate) layers_per_height: f32,
     /// The level, with the part of the way to the next.
     pub(crate) level: f32,
     /// What is left of the fins: with the last shell they go.
@@ -63,7 +74,7 @@ impl Schedule {
     /// The schedule for levels as [`pelage_coat::ShellTexture`] has them, for fur that is `length` long, in diameters.
     pub(crate) fn new(levels: &[Vec<ShellLayer>], options: &Options, viewpoint: &Viewpoint, length: f32) -> Self {
         let coarsest = levels.len().saturating_sub(1) as f32;
-        let level = level(levels, options.detail, viewpoint, length);
+        let level = level(levels, blendable(options), viewpoint, length);
         let (base, part) = (level.floor(), level.fract());
         let blend = smooth(((part - (1.0 - BLEND_BAND)) / BLEND_BAND).max(0.0));
         let Some(fine) = levels.get(base as usize) else { return Self::default() };
@@ -75,12 +86,17 @@ impl Schedule {
         };
         schedule.level = level;
         schedule.blend = blend;
+        let per_height = layers_per_height(fine);
+        schedule.layers_per_height = per_height + blend * (coarse.map_or(per_height, layers_per_height) - per_height);
         schedule.fins = if coarsest > 0.0 { (coarsest - level).min(1.0) } else { 1.0 };
         schedule.set_steps();
         if !schedule.slots.is_empty() {
             schedule.blend_steps(blend);
         }
+        schedule.set_above(stride);
+        schedule.marched = marched(options.march, levels, base as u32);
         schedule.set_drawn(options, stride);
+        schedule.set_reach();
         schedule
     }
 
@@ -105,7 +121,9 @@ impl Schedule {
                 opacity: 1.0,
                 layers: 1.0,
                 light_height,
-                direction: layer.image,
+                top_light: light_height,
+                bottom_light: light_height,
+                direction: both(layer.image, into.map_or(layer.image, |into| into.image)),
                 ..shell(*layer)
             });
         }
@@ -134,18 +152,59 @@ impl Schedule {
         }
     }
 
+    /// Which shell shades which (K10): two of the finest level's shells further out, or the next where that is further; of a shell that stays while levels
+    /// blend, also the one that will.
+    fn set_above(&mut self, stride: u32) {
+        let outermost = (self.shells.len() as u32).saturating_sub(1);
+        let reach = |stride: u32| (SHADING_REACH / stride).max(1);
+        let (fine, coarse) = (reach(stride), 2 * reach(2 * stride));
+        for (k, shell) in (0..).zip(&mut self.shells) {
+            let above = (k + fine).min(outermost);
+            // Of the shells that stay, the outermost has none above.
+            let later = if k + coarse <= outermost { k + coarse } else { outermost & !1 };
+            shell.above = both(above, if k % 2 == 0 { later.max(k) } else { above });
+        }
+    }
+
     /// Which are drawn: those asked for, and of those that march through several, the outermost of each.
     fn set_drawn(&mut self, options: &Options, stride: u32) {
         let count = self.shells.len() as u32;
-        let marched = options.march.layers.max(1);
-        let asked = |k: &u32| options.layers.contains(k * stride);
-        self.drawn = (1..count).filter(asked).filter(|k| (count - 1 - k).is_multiple_of(marched)).collect();
+        let asked = |k: u32| options.layers.contains(k * stride);
+        let carries = |k: &u32| (count - 1 - k).is_multiple_of(self.marched) && (self.lowest_of(*k)..k + 1).any(asked);
+        self.drawn = (1..count).filter(carries).collect();
+        if self.marched > 1 {
+            // What is not asked for is there to be passed through.
+            (1..count).filter(|&k| !asked(k)).for_each(|k| self.shells[k as usize].opacity = 0.0);
+        }
     }
 
-    /// How many shells there are for a unit of height.
-    pub(crate) fn layers_per_height(&self) -> f32 {
-        let top = self.shells.last().map_or(0.0, |shell| shell.height);
-        if top > 0.0 { (self.shells.len() - 1) as f32 / top } else { 1.0 }
+    /// The lowest layer that a drawn shell shows.
+    fn lowest_of(&self, shell: u32) -> u32 {
+        shell.saturating_sub(self.marched - 1).max(1)
+    }
+
+    /// Its height.
+    pub(crate) fn lowest_shown(&self, shell: u32) -> f32 {
+        self.shells[self.lowest_of(shell) as usize].height
+    }
+
+    /// From where down to where a drawn shell marches: its layers, and while levels blend, ever more those of them that stay, or the march would jump where
+    /// the others are gone.
+    fn set_reach(&mut self) {
+        let blend = self.blend;
+        let mixed = |a: f32, b: f32| a + blend * (b - a);
+        for &outer in &self.drawn {
+            let lowest = self.lowest_of(outer);
+            let stays = |k: u32, towards: u32| self.shells[if k % 2 == 1 && lowest < outer { towards } else { k } as usize];
+            let (top, bottom) = (self.shells[outer as usize], self.shells[lowest as usize]);
+            let (last_top, last_bottom) = (stays(outer, outer - 1), stays(lowest, lowest + 1));
+            let shell = &mut self.shells[outer as usize];
+            shell.top = mixed(top.height, last_top.height);
+            shell.top_light = mixed(top.light_height, last_top.light_height);
+            shell.step = mixed(top.step, last_top.step);
+            shell.bottom = mixed(bottom.height, last_bottom.height);
+            shell.bottom_light = mixed(bottom.light_height, last_bottom.light_height);
+        }
     }
 
     /// Whether a shell is more or less than its image.
@@ -154,16 +213,48 @@ impl Schedule {
     }
 }
 
+/// How many layers a shell shows. From one level of detail to the next, half as many: as many shells are drawn, and stand where they stood. That takes a power of
+/// two, to which a coat with levels rounds up.
+fn marched(march: March, levels: &[Vec<ShellLayer>], base: u32) -> u32 {
+    let layers = march.layers.clamp(1, MOST_SHELLS as u32);
+    if levels.len() < 2 { layers } else { (layers.next_power_of_two() >> base.min(31)).max(1) }
+}
+
+/// How many shells there are for a unit of height.
+fn layers_per_height(level: &[ShellLayer]) -> f32 {
+    let top = level.last().map_or(0.0, |layer| layer.height);
+    if top > 0.0 { (level.len() - 1) as f32 / top } else { 1.0 }
+}
+
+/// Two numbers in one word: of this level, and of the one it becomes.
+fn both(now: u32, then: u32) -> u32 {
+    now | then << 16
+}
+
 fn shell(layer: ShellLayer) -> Shell {
     Shell {
         height: layer.height,
         light_height: layer.light_height,
         image: layer.image,
-        direction: layer.image,
+        direction: both(layer.image, layer.image),
         opacity: layer.opacity,
         layers: layer.layers,
         step: 0.0,
-        unused: 0.0,
+        above: 0,
+        top: layer.height,
+        top_light: layer.light_height,
+        bottom: layer.height,
+        bottom_light: layer.light_height,
+    }
+}
+
+/// The detail that a view can show: steps between layers know no layers that fade, so they march through whole levels, the finest where nothing else is asked.
+fn blendable(options: &Options) -> Detail {
+    match options.detail {
+        detail if options.march.steps <= 1 => detail,
+        Detail::Spacing(_) => Detail::Level(0.0),
+        Detail::Level(level) => Detail::Level(level.round()),
+        whole @ Detail::Whole(_) => whole,
     }
 }
 

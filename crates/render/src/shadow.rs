@@ -228,7 +228,7 @@ impl CasterCache {
 impl Casters {
     fn new(device: &Device, pipelines: &Pipelines, traits: CoatTraits) -> Self {
         let flags: Vec<&str> = [("BENT", traits.bent), ("CUT", traits.cut)].iter().filter_map(|&(name, on)| on.then_some(name)).collect();
-        let files = [SHARED[0], SHARED[1], include_str!("shaders/shadow.wgsl"), include_str!("shaders/shadow_cast.wgsl")];
+        let files = [SHARED[0], SHARED[1], SHARED[2], include_str!("shaders/shadow.wgsl"), include_str!("shaders/shadow_cast.wgsl")];
         let module = device.create_shader_module(ShaderModuleDescriptor {
             label: Some("shadow"),
             source: ShaderSource::Wgsl(assemble(&files, &flags).into()),

@@ -49,7 +49,7 @@ impl FrameUniform {
         let uniform = Self {
             clip_from_coat: viewpoint.clip_from_coat.to_cols_array_2d(),
             eye: four(viewpoint.eye, schedule.shells.len() as f32),
-            toward_eye: four(viewpoint.toward_eye, 0.0),
+            toward_eye: four(viewpoint.toward_eye, schedule.blend),
             lights: std::array::from_fn(|i| lights.get(i).map_or([[0.0; 4]; 2], |l| [four(l.direction, 0.0), four(l.colour, 0.0)])),
             irradiance: view.lights.ambient.0.map(|term| four(term, 0.0)),
             ambient: four(hair.ambient.as_vec3(), 0.0),
@@ -62,7 +62,7 @@ impl FrameUniform {
                 (1.0 / (facing.full_above - facing.dark_below).max(1e-9)) as f32,
                 options.hair_shadow.clamp(0.0, 1.0),
             ],
-            fur: [not_negative(options.length_scale), schedule.layers_per_height(), threshold(options.shell_depth), 1.0 / GROWTH_LENGTH],
+            fur: [not_negative(options.length_scale), schedule.layers_per_height, threshold(options.shell_depth), 1.0 / GROWTH_LENGTH],
             screen: [
                 0.5 * viewpoint.pixels.x,
                 0.5 * viewpoint.pixels.y,
@@ -72,7 +72,7 @@ impl FrameUniform {
             table: table(options.lighting),
             fins: fins(view, schedule.fins),
             light_from_coat: light.light_from_coat.to_cols_array_2d(),
-            casting: [light.length, shells_each(schedule), light.bias, 0.0],
+            casting: [light.length, shells_each(schedule), light.bias, schedule.marched as f32],
         };
         uniform.check()?;
         Ok(uniform)

@@ -7,7 +7,7 @@ use std::sync::Arc;
 
 use glam::Vec3;
 use pelage_coat::{Camera, Coat, Encoding, MipImage, ShellTexture};
-use pelage_render::{Headless, March, Options, Picture, RenderError, Renderer, ShellDepth, Target, View};
+use pelage_render::{Headless, March, Options, Picture, RenderError, Renderer, ShellDepth, ShellRange, Target, View};
 use texpresso::Format;
 
 use support::samples::hair::Recipe;
@@ -73,6 +73,36 @@ fn several_layers_in_one_shell_show_what_as_many_shells_do() {
             println!("{what}, slant {slant}, a third of the shells: {mean:.3} of 255");
             assert!(mean > 1.5 * bound, "{what}, {slant}: {mean}");
         }
+    }
+}
+
+#[test]
+fn a_march_ends_where_the_hair_is_cut() {
+    let mut shorn = square(0.5);
+    // From a third of the length, below most of a march, to all of it.
+    for (end, place) in shorn.surface.ends.iter_mut().zip(&square(0.5).surface.positions) {
+        *end = (0.65 + place.x).clamp(0.3, 1.0);
+    }
+    let hair = |coat: &Coat, layers: u32| seen(coat, squarely(), Options { surface: false, ..march(layers, 1) });
+    let (plain, whole) = (hair(&shorn, 1), mean_coverage(&hair(&square(0.5), 1)));
+    for layers in [3, 9] {
+        let marched = hair(&shorn, layers);
+        let (mean, _) = difference(&marched, &plain);
+        println!("{layers} layers a shell: {mean:.3} of 255, covered {:.4}, not {:.4}", mean_coverage(&marched), mean_coverage(&plain));
+        assert!(mean < 1.8, "{layers}: {mean}");
+        assert!((mean_coverage(&marched) - mean_coverage(&plain)).abs() < 0.01);
+        assert!(mean_coverage(&plain) < whole - 0.02, "the cut takes something off: {whole}");
+    }
+}
+
+#[test]
+fn a_march_passes_over_layers_that_are_not_asked_for() {
+    let only =
+        |layers: u32, range: ShellRange| seen(&square(0.5), squarely(), Options { surface: false, layers: range, ..march(layers, 1) });
+    for range in [ShellRange { first: 4, end: 7, left_out: None }, ShellRange { first: 1, end: 6, left_out: Some(3) }] {
+        let (mean, _) = difference(&only(3, range), &only(1, range));
+        assert!(mean < 1.8, "{range:?}: {mean}");
+        assert!(difference(&only(3, range), &only(3, ShellRange::default())).0 > 0.5, "{range:?} leaves something out");
     }
 }
 

@@ -6,8 +6,8 @@ mod support;
 use std::sync::Arc;
 
 use glam::Vec3;
-use pelage_coat::{Camera, Coat, ShellTexture};
-use pelage_render::{Detail, FinRule, Options, Picture, ShellDepth, View};
+use pelage_coat::{Camera, Coat, MipImage, ShellTexture};
+use pelage_render::{Detail, FinRule, LightingMode, March, Options, Picture, ShadowOptions, ShellDepth, View};
 
 use support::samples::hair::{Hair, Recipe};
 use support::samples::{Style, coat, light, shapes};
@@ -145,6 +145,48 @@ fn levels_meet_where_one_becomes_the_next() {
             assert!(mean == 0.0 && most == 0, "a level is drawn as it is for a part of the way: {level}: {mean} {most}");
             let (mean, _) = difference(&at(level - 1.0), &at(level));
             assert!(mean > 0.5, "there is something to blend: {mean}");
+        }
+    }
+}
+
+/// The same with a direction for each image, no two alike, and hair that is cut here and there.
+fn mapped_and_cut(coat: &Coat) -> Coat {
+    let mut changed = coat.clone();
+    let direction = |image: u32| [(128 + 37 * image) as u8, (60 + 91 * image) as u8, (200 + 53 * image) as u8, 0];
+    let map = |mip: &MipImage| {
+        let texels = (0..coat.shells.images).flat_map(|image| direction(image).repeat((mip.width * mip.height) as usize));
+        MipImage { texels: texels.collect(), ..*mip }
+    };
+    changed.shells = Arc::new(ShellTexture { directions: Some(coat.shells.mips.iter().map(map).collect()), ..(*coat.shells).clone() });
+    for (end, place) in changed.surface.ends.iter_mut().zip(&coat.surface.positions) {
+        *end = (0.55 + 3.0 * place.y).clamp(0.05, 1.0);
+    }
+    changed
+}
+
+#[test]
+fn levels_meet_whatever_the_options() {
+    let coat = mapped_and_cut(&leveled_ball());
+    let plain = Options { fins: false, ..Options::default() };
+    let cases = [
+        ("cut", plain),
+        ("shaded by hair", Options { hair_shadow: 1.0, ..plain }),
+        ("lit from the map", Options { lighting: LightingMode::Formula, ..plain }),
+        ("without blur", Options { step_blur: 0.0, ..plain }),
+        ("shadows", Options { shadows: Some(ShadowOptions { side: 256 }), ..plain }),
+        ("stepped", Options { march: March { layers: 1, steps: 3 }, ..plain }),
+        ("marched", Options { march: March { layers: 2, steps: 1 }, ..plain }),
+        ("marched by four", Options { march: March { layers: 4, steps: 1 }, ..plain }),
+    ];
+    for (what, options) in cases {
+        for camera in [from(1.0), from(0.6)] {
+            for level in [1.0_f32, 2.0, 3.0] {
+                let at = |level| seen(&coat, camera, Options { detail: Detail::Level(level), ..options });
+                let (mean, most) = difference(&at(level - 1e-3), &at(level));
+                let whole = difference(&at(level - 1.0), &at(level)).0;
+                assert!(mean < 0.02 && most <= 3, "{what}, level {level}: {mean} {most}");
+                assert!(whole > 0.5, "there is something to blend: {whole}");
+            }
         }
     }
 }
@@ -289,7 +331,7 @@ fn opacity_that_is_shared_follows_the_power_law() {
     // One image for all shells, each of which stands for so many layers at so much of its opacity.
     let alpha = 90.0_f32 / 255.0;
     let texel = support::samples::hair::encode([0.4 * alpha, 0.3 * alpha, 0.2 * alpha, alpha]);
-    let image = pelage_coat::MipImage { width: 1, height: 1, texels: texel.to_vec() };
+    let image = MipImage { width: 1, height: 1, texels: texel.to_vec() };
     for layers in [0.0, 0.25, 1.0, 3.5] {
         for opacity in [0.0, 0.3, 1.0] {
             let mut stack = ShellTexture::stack(1, vec![image.clone()]);

@@ -26,8 +26,7 @@ fn shown(at: vec2u, image: u32, opacity: f32, layers: f32) -> vec4f {
     if opacity == 1.0 && layers == 1.0 {
         return hair;
     }
-    let one = hair.a * opacity;
-    return hair * ((1.0 - pow(max(1.0 - one, 0.0), layers)) / max(hair.a, 1e-6));
+    return thickened_hair(hair, opacity, layers);
 }
 
 @compute @workgroup_size(8, 8)

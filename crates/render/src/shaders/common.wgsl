@@ -8,7 +8,7 @@ struct Light {
 struct Frame {
     clip_from_coat: mat4x4f,
     eye: vec4f,           // the eye; how many shells there are
-    toward_eye: vec4f,    // the viewer at infinity; w unused
+    toward_eye: vec4f,    // the viewer at infinity; how far one level of detail has become the next, 0 … 1
     lights: array<Light, 4>,
     irradiance: array<vec4f, 9>,  // coefficients of 1, y, z, x, xy, yz, 3z² − 1, xz, x² − y² of the normal
     ambient: vec4f,       // Ka; w unused
@@ -21,7 +21,7 @@ struct Frame {
     table: vec4f,         // (size − 1) / size, 0.5 / size, u by angle, v by angle
     fins: vec4f,          // rule, threshold, segments, opacity
     light_from_coat: mat4x4f,  // the first light's view
-    casting: vec4f,       // the fur's length in that view's depth, shells that one that casts stands for, a bias in diameters
+    casting: vec4f,       // the fur's length in that view's depth, shells that one that casts stands for, a bias in diameters; layers that a shell shows
 };
 
 // A shell: mirrors schedule.rs.
@@ -29,12 +29,17 @@ struct Shell {
     height: f32,
     light_height: f32,
     image: u32,
-    direction: u32,  // image of the direction map
+    direction: u32,  // image of the direction map; in the upper half, that of the level which this one becomes
     opacity: f32,
     layers: f32,     // α becomes 1 − (1 − α)^layers
     step: f32,       // to the next shell, in heights
-    unused: f32,
+    above: u32,      // the shell that shades it; in the upper half, once this level has become the next
+    top: f32,        // where it is drawn: at its height, unless it marches while levels of detail blend
+    top_light: f32,
+    bottom: f32,     // the lowest layer that it shows
+    bottom_light: f32,
 };
+
 
 struct Vertex {
     position: vec3f,

@@ -31,8 +31,7 @@ fn opacity_of(in: ShadowVertex) -> f32 {
     let shell = shells[in.shell];
     let covered = textureSample(shell_images, tile_sampler, in.tile.xy, shell.image).a * shell.opacity;
     // A shell that casts stands for those that are left out below it.
-    let opacity = 1.0 - pow(max(1.0 - covered, 0.0), shell.layers * frame.casting.y);
-    return opacity * clamp(in.tile.z, 0.0, 1.0) * clamp(in.tile.w, 0.0, 1.0);
+    return thickened(covered, shell.layers * frame.casting.y) * clamp(in.tile.z, 0.0, 1.0) * clamp(in.tile.w, 0.0, 1.0);
 }
 
 // Blended by the minimum.

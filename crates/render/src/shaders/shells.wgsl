@@ -82,29 +82,29 @@ fn shell_vertex(
 #endif
     let shell = shells[place_among];
     let v = vertex_at(index);
-    let place = v.position + curve(v, shell.height);
+    let place = v.position + curve(v, shell.top);
     let clip = frame.clip_from_coat * vec4f(place, 1.0);
 #if PATCH
     // One light for the whole patch: that of the vertex in its middle.
     let lit = vertex_at(patch_vertex);
-    let lit_place = lit.position + curve(lit, shell.height);
+    let lit_place = lit.position + curve(lit, shell.top);
 #else
     let lit = v;
     let lit_place = place;
 #endif
     let toward_eye = normalize(frame.eye.xyz - lit_place);
-    let direction = direction_at(lit, shell.light_height);
-    let depth = 1.0 - shell.light_height;
+    let direction = direction_at(lit, shell.top_light);
+    let depth = 1.0 - shell.top_light;
     let toward_light = frame.lights[0].direction.xyz;
     let half = half_vector(toward_light, toward_eye);
     var out: ShellVertex;
     out.position = clip;
-    let step = step_on_screen(clip, slope(v, shell.height) * shell.step);
+    let step = step_on_screen(clip, slope(v, shell.top) * shell.step);
     let blur = level_bias(step, dot(v.normal, normalize(frame.eye.xyz - place)));
     out.tile = vec3f(tile, blur);
     out.shell = vec2u(shell.image, place_among);
 #if KEPT
-    out.kept = vec2f(growth_of(v.offset), cut_of(v.end, shell.height));
+    out.kept = vec2f(growth_of(v.offset), cut_of(v.end, shell.top));
 #endif
 #if SPLIT
     out.light = v.colour * (ambient_light(lit.normal, depth) + lights_from(1u, direction, lit.normal, toward_eye, depth));
@@ -116,7 +116,7 @@ fn shell_vertex(
     out.cosines = vec3f(dot(direction, toward_light), dot(direction, half.xyz), half.w);
 #endif
 #if AXES
-    let along = slope(v, shell.height);
+    let along = slope(v, shell.top);
 #if INSTANCED
     let s = in_world(vec4f(tile_side * unpack_direction(tangent), 0.0));
 #else
@@ -130,8 +130,7 @@ fn shell_vertex(
 #endif
 #if MARCH
     out.inward = in_tile(place - frame.eye.xyz, s, v.normal, along) / max(distance(place, frame.eye.xyz), 1e-20);
-    let lowest = max(i32(place_among) - i32(MARCHED) + 1, 1);
-    let depth_below = 1.0 - shells[lowest].light_height;
+    let depth_below = 1.0 - shell.bottom_light;
 #if SPLIT
     out.light_below = v.colour
         * (ambient_light(lit.normal, depth_below) + lights_from(1u, direction, lit.normal, toward_eye, depth_below));
@@ -145,7 +144,7 @@ fn shell_vertex(
     out.toward_light = in_tile(toward_light, s, v.normal, along);
 #endif
 #if SHADOW_MAP
-    out.in_light = place_in_light(place, v.normal, length(v.offset) * (1.0 - shell.height));
+    out.in_light = place_in_light(place, v.normal, length(v.offset) * (1.0 - shell.top));
 #endif
     return out;
 }
@@ -162,23 +161,47 @@ fn first_light(v: Vertex, direction: vec3f, toward_eye: vec3f, depth: f32) -> ve
 }
 #endif
 
-#if SHARED
-// What a shell that stands for so many layers of its image covers.
-fn shared_opacity(hair: vec4f, shell: Shell) -> vec4f {
-    let one = hair.a * shell.opacity;
-    return hair * ((1.0 - pow(max(1.0 - one, 0.0), shell.layers)) / max(hair.a, 1e-6));
-}
-#endif
-
 // A shell's image at a place of the tile.
 fn hair_at(tile: vec2f, place_among: u32, image: u32, blur: f32) -> vec4f {
     let hair = textureSampleBias(shell_images, tile_sampler, tile, image, blur);
 #if SHARED
-    return shared_opacity(hair, shells[place_among]);
+    return thickened_hair(hair, shells[place_among].opacity, shells[place_among].layers);
 #else
     return hair;
 #endif
 }
+
+#if MAP
+// Which way the hair goes, from 0 to 1 along each axis; `images` are those of this level and of the one it becomes.
+fn mapped_direction(tile: vec2f, images: u32, blur: f32) -> vec3f {
+    var direction = textureSampleBias(hair_directions, tile_sampler, tile, images & 0xffffu, blur).xyz;
+    if frame.toward_eye.w > 0.0 {
+        direction = mix(direction, textureSampleBias(hair_directions, tile_sampler, tile, images >> 16u, blur).xyz, frame.toward_eye.w);
+    }
+    return direction;
+}
+#endif
+
+#if HAIR_SHADOW
+// K10: what a shell further out covers of the way to the light.
+fn covered_by(in: ShellVertex, tile: vec2f, place_among: u32, above: u32) -> f32 {
+    let rise = shells[above].height - shells[place_among].height;
+    let over = tile + aside(in.toward_light, 0.15) * rise;
+    let covered = hair_at(over, above, shells[above].image, in.tile.z).a;
+    // Nothing is above the outermost.
+    return covered * select(0.0, 1.0, in.toward_light.z > 0.0 && rise > 0.0);
+}
+
+// The same, while one level of detail becomes the next.
+fn shaded(in: ShellVertex, tile: vec2f, place_among: u32) -> f32 {
+    let above = shells[place_among].above;
+    var covered = covered_by(in, tile, place_among, above & 0xffffu);
+    if frame.toward_eye.w > 0.0 {
+        covered = mix(covered, covered_by(in, tile, place_among, above >> 16u), frame.toward_eye.w);
+    }
+    return covered;
+}
+#endif
 
 #if SPLIT
 // How much of the first light a pixel sends on.
@@ -187,19 +210,13 @@ fn first_response(in: ShellVertex, tile: vec2f, place_among: u32) -> vec3f {
 #if PIXEL
     var cosines = in.cosines.xy;
 #if MAP
-    let mapped = textureSampleBias(hair_directions, tile_sampler, tile, shells[place_among].direction, in.tile.z).xyz * 2.0 - 1.0;
+    let mapped = mapped_direction(tile, shells[place_among].direction, in.tile.z) * 2.0 - 1.0;
     cosines = vec2f(dot(mapped, in.light_in_tile), dot(mapped, in.half_in_tile));
 #endif
     response = reflected(factors(cosines.x, cosines.y) * vec2f(1.0, in.cosines.z));
 #endif
 #if HAIR_SHADOW
-    // K10: what a shell further out covers of the way to the light.
-    let above = min(place_among + 2u, u32(frame.eye.w) - 1u);
-    let rise = shells[above].height - shells[place_among].height;
-    let over = tile + aside(in.toward_light, 0.15) * rise;
-    let covered = hair_at(over, above, shells[above].image, in.tile.z).a;
-    // Nothing is above the outermost.
-    response *= 1.0 - frame.facing.w * covered * select(0.0, 1.0, in.toward_light.z > 0.0 && rise > 0.0);
+    response *= 1.0 - frame.facing.w * shaded(in, tile, place_among);
 #endif
 #if SHADOW_MAP
     response *= shadow_at(in.in_light);
@@ -221,11 +238,10 @@ fn shell_light(in: ShellVertex, tile: vec2f, place_among: u32) -> vec3f {
 fn shell_colour(in: ShellVertex) -> vec4f {
     let steps = u32(frame.screen.w);
     let slide = aside(in.inward, 0.1);
-    let top = shells[in.shell.y].height;
-    let lowest = max(i32(in.shell.y) - i32(MARCHED) + 1, 1);
-    let depth = max(top - shells[lowest].height, 1e-6);
+    let top = shells[in.shell.y].top;
+    let depth = max(top - shells[in.shell.y].bottom, 1e-6);
     var sum = vec4f(0.0);
-    for (var i = 0u; i < MARCHED * steps; i++) {
+    for (var i = 0u; i < u32(frame.casting.w) * steps; i++) {
         let layer = i32(in.shell.y) - i32(i / steps);
         // Below the innermost there is the skin.
         let there = select(0.0, 1.0, layer >= 1);
@@ -238,8 +254,9 @@ fn shell_colour(in: ShellVertex) -> vec4f {
         if steps > 1u {
             // A sample of the volume between two layers stands for a part of one.
             hair = mix(hair, hair_at(tile, below, shells[below].image, in.tile.z), between);
-            hair *= (1.0 - pow(max(1.0 - hair.a, 0.0), 1.0 / f32(steps))) / max(hair.a, 1e-6);
+            hair = thickened_hair(hair, 1.0, 1.0 / f32(steps));
         }
+        hair *= kept(in, top - height);
         let share = clamp((top - height) / depth, 0.0, 1.0);
         var light = mix(in.light, in.light_below, share);
 #if SPLIT
@@ -247,19 +264,19 @@ fn shell_colour(in: ShellVertex) -> vec4f {
 #endif
         sum += (1.0 - sum.a) * there * vec4f(hair.rgb * light, hair.a);
     }
-    return sum * kept(in);
+    return sum;
 }
 #else
 fn shell_colour(in: ShellVertex) -> vec4f {
-    let hair = hair_at(in.tile.xy, in.shell.y, in.shell.x, in.tile.z) * kept(in);
+    let hair = hair_at(in.tile.xy, in.shell.y, in.shell.x, in.tile.z) * kept(in, 0.0);
     return vec4f(hair.rgb * shell_light(in, in.tile.xy, in.shell.y), hair.a);
 }
 #endif
 
-// How much of its fur a place has left.
-fn kept(in: ShellVertex) -> f32 {
+// How much of its fur a place has left, so far below its shell.
+fn kept(in: ShellVertex, below: f32) -> f32 {
 #if KEPT
-    let kept = clamp(in.kept, vec2f(0.0), vec2f(1.0));
+    let kept = clamp(in.kept + vec2f(0.0, below * frame.fur.y), vec2f(0.0), vec2f(1.0));
     return kept.x * kept.y;
 #else
     return 1.0;
