@@ -27,7 +27,6 @@ const FRAMES: u32 = 24;
 
 /// A coat somewhere in the world.
 struct Ball {
-    coat: GpuCoat,
     world_from_coat: Mat4,
     prepared: PreparedView,
 }
@@ -45,9 +44,9 @@ fn main() -> Result<(), Box<dyn Error>> {
         let start = Instant::now();
         let (clip_from_world, eye) = look(frame);
         opaque.look(&host, clip_from_world);
-        for Ball { coat, world_from_coat, prepared } in &mut balls {
+        for Ball { world_from_coat, prepared } in &mut balls {
             let viewpoint = Viewpoint::placed(clip_from_world, eye, *world_from_coat, SIZE);
-            renderer.update(&host.device, &host.queue, coat, prepared, &view(*world_from_coat), &viewpoint)?;
+            renderer.update(&host.device, &host.queue, prepared, &view(*world_from_coat), &viewpoint)?;
         }
         // Far fur first: near fur lets it through.
         balls.sort_by(|a, b| distance(b, eye).total_cmp(&distance(a, eye)));
@@ -65,25 +64,25 @@ fn main() -> Result<(), Box<dyn Error>> {
 fn draw(host: &Host, renderer: &Renderer, opaque: &Opaque, balls: &mut [Ball]) -> Result<(), Box<dyn Error>> {
     let mut encoder = host.encoder();
     for ball in &*balls {
-        renderer.compute(&mut encoder, &ball.coat, &ball.prepared);
+        renderer.compute(&mut encoder, &ball.prepared);
     }
     {
         let mut pass = host.pass(&mut encoder, true, false);
         opaque.draw(&mut pass);
         for ball in &*balls {
-            renderer.draw_surface(&mut pass, &ball.coat, &ball.prepared);
+            renderer.draw_surface(&mut pass, &ball.prepared);
         }
     }
     // All that is opaque is there: what it hides needs no shells.
-    for Ball { coat, prepared, .. } in &mut *balls {
+    for Ball { prepared, .. } in &mut *balls {
         let depth = DepthBuffer { view: &host.depth, size: host.size };
-        renderer.find_hidden(&host.device, &host.queue, &mut encoder, coat, prepared, depth);
+        renderer.find_hidden(&host.device, &host.queue, &mut encoder, prepared, depth);
     }
     {
         let mut pass = host.pass(&mut encoder, false, true);
         for ball in &*balls {
-            renderer.draw_fins(&mut pass, &ball.coat, &ball.prepared);
-            renderer.draw_shells(&mut pass, &ball.coat, &ball.prepared);
+            renderer.draw_fins(&mut pass, &ball.prepared);
+            renderer.draw_shells(&mut pass, &ball.prepared);
         }
     }
     host.finish(encoder)
@@ -104,14 +103,14 @@ fn balls(host: &Host, renderer: &Renderer) -> Result<Vec<Ball>, Box<dyn Error>> 
     let near = renderer.upload(&host.device, &host.queue, &long)?;
     // The same hair: one copy of its textures.
     let far = renderer.upload_sharing(&host.device, &host.queue, &short, near.textures())?;
-    let placed = |coat: GpuCoat, place: Vec3, turn: f32, size: f32| -> Result<Ball, Box<dyn Error>> {
+    let placed = |coat: &GpuCoat, place: Vec3, turn: f32, size: f32| -> Result<Ball, Box<dyn Error>> {
         let world_from_coat = Mat4::from_translation(place) * Mat4::from_rotation_y(turn) * Mat4::from_scale(Vec3::splat(size));
         let (clip_from_world, eye) = look(0);
         let viewpoint = Viewpoint::placed(clip_from_world, eye, world_from_coat, SIZE);
-        let prepared = renderer.prepare(&host.device, &host.queue, &coat, &view(world_from_coat), &viewpoint)?;
-        Ok(Ball { coat, world_from_coat, prepared })
+        let prepared = renderer.prepare(&host.device, &host.queue, coat, &view(world_from_coat), &viewpoint)?;
+        Ok(Ball { world_from_coat, prepared })
     };
-    Ok(vec![placed(near, Vec3::new(-0.5, 0.5, 0.75), 0.4, 1.6)?, placed(far, Vec3::new(0.75, 0.72, -0.7), 2.1, 2.4)?])
+    Ok(vec![placed(&near, Vec3::new(-0.5, 0.5, 0.75), 0.4, 1.6)?, placed(&far, Vec3::new(0.75, 0.72, -0.7), 2.1, 2.4)?])
 }
 
 /// The host's camera: from coordinates of the world to clip space, and where the eye is.

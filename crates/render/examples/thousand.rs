@@ -33,7 +33,6 @@ const FRAMES: u32 = 12;
 
 /// A kind of ball: its coat, where those of the crowd stand, and those nearest to the eye, the furthest first.
 struct Kind {
-    coat: GpuCoat,
     places: Vec<Mat4>,
     crowd: Crowd,
     near: Vec<(Mat4, PreparedView)>,
@@ -87,33 +86,33 @@ fn draw(host: &Host, renderer: &Renderer, opaque: &Opaque, kinds: &mut [Kind], f
     let (clip_from_world, eye) = look(frame);
     opaque.look(host, clip_from_world);
     let world = Viewpoint::placed(clip_from_world, eye, Mat4::IDENTITY, SIZE);
-    for Kind { coat, places, crowd, near } in &mut *kinds {
-        renderer.update_crowd(&host.device, &host.queue, coat, crowd, (&view(Mat4::IDENTITY), &world), places)?;
+    for Kind { places, crowd, near } in &mut *kinds {
+        renderer.update_crowd(&host.device, &host.queue, crowd, (&view(Mat4::IDENTITY), &world), places)?;
         for (place, prepared) in near {
             let viewpoint = Viewpoint::placed(clip_from_world, eye, *place, SIZE);
-            renderer.update(&host.device, &host.queue, coat, prepared, &view(*place), &viewpoint)?;
+            renderer.update(&host.device, &host.queue, prepared, &view(*place), &viewpoint)?;
         }
     }
     let update = lap(start);
     let start = Instant::now();
     let mut encoder = host.encoder();
     for kind in &*kinds {
-        kind.near.iter().for_each(|(_, prepared)| renderer.compute(&mut encoder, &kind.coat, prepared));
+        kind.near.iter().for_each(|(_, prepared)| renderer.compute(&mut encoder, prepared));
     }
     {
         let mut pass = host.pass(&mut encoder, true, true);
         opaque.draw(&mut pass);
         // All that is opaque first, the near before the far: what it hides fails the depth test.
-        for Kind { coat, crowd, near, .. } in kinds.iter().rev() {
-            near.iter().rev().for_each(|(_, prepared)| renderer.draw_surface(&mut pass, coat, prepared));
-            renderer.draw_crowd_surface(&mut pass, coat, crowd);
+        for Kind { crowd, near, .. } in kinds.iter().rev() {
+            near.iter().rev().for_each(|(_, prepared)| renderer.draw_surface(&mut pass, prepared));
+            renderer.draw_crowd_surface(&mut pass, crowd);
         }
         // Then the far before the near: near fur lets far fur through.
-        for Kind { coat, crowd, near, .. } in &*kinds {
-            renderer.draw_crowd_shells(&mut pass, coat, crowd);
+        for Kind { crowd, near, .. } in &*kinds {
+            renderer.draw_crowd_shells(&mut pass, crowd);
             for (_, prepared) in near {
-                renderer.draw_fins(&mut pass, coat, prepared);
-                renderer.draw_shells(&mut pass, coat, prepared);
+                renderer.draw_fins(&mut pass, prepared);
+                renderer.draw_shells(&mut pass, prepared);
             }
         }
     }
@@ -156,7 +155,7 @@ fn kinds(host: &Host, renderer: &Renderer, coats: Vec<GpuCoat>, nearest: usize) 
         });
         let near_views = own.collect::<Result<Vec<_>, Box<dyn Error>>>()?;
         let crowd = renderer.prepare_crowd(&host.device, &host.queue, &coat, (&view(Mat4::IDENTITY), &world), part as u32)?;
-        kinds.push(Kind { places: places[first..near.clamp(first, end)].to_vec(), coat, crowd, near: near_views });
+        kinds.push(Kind { places: places[first..near.clamp(first, end)].to_vec(), crowd, near: near_views });
     }
     Ok(kinds)
 }

@@ -1,5 +1,7 @@
 //! Two levels of detail blended on the tile (L16), before the shells are drawn from it.
 
+use std::sync::atomic::{AtomicBool, Ordering};
+
 use wgpu::{
     BindGroup, BindGroupLayout, BindGroupLayoutDescriptor, BindingResource, BindingType, Buffer, BufferUsages, ComputePass,
     ComputePipeline, ComputePipelineDescriptor, Device, Extent3d, PipelineCompilationOptions, PipelineLayoutDescriptor, Queue,
@@ -29,6 +31,10 @@ pub(crate) struct Blender {
 pub(crate) struct BlendedStack {
     stack: Texture,
     slots: Buffer,
+    /// What is blended.
+    blend: Vec<Slot>,
+    /// Whether that, or what is blended, has changed since it was made.
+    stale: AtomicBool,
     /// For each mip, what it is made of and its side.
     mips: Vec<(BindGroup, u32)>,
 }
@@ -97,7 +103,7 @@ impl BlendedStack {
             let group = bind(device, "blend", &blender.layout, resources);
             (group, (source.width() >> mip).max(1))
         });
-        Self { mips: mips.collect(), stack, slots }
+        Self { mips: mips.collect(), stack, slots, blend: Vec::new(), stale: AtomicBool::new(true) }
     }
 
     /// The images from a mip on, to be read.
@@ -111,17 +117,30 @@ impl BlendedStack {
         })
     }
 
-    /// Says what is blended from now on.
-    pub(crate) fn set(&self, queue: &Queue, slots: &[Slot]) {
+    /// Says what is blended from now on; nothing where a level is drawn as it is.
+    pub(crate) fn set(&mut self, queue: &Queue, slots: &[Slot]) {
+        if slots.is_empty() || self.blend == slots {
+            return;
+        }
         queue.write_buffer(&self.slots, 0, bytemuck::cast_slice(slots));
+        self.blend = slots.to_vec();
+        self.remake();
     }
 
-    /// Records the blending of so many images, from a mip on: finer ones are not seen.
-    pub(crate) fn record(&self, pass: &mut ComputePass<'_>, blender: &Blender, finest: u32, images: u32) {
+    /// Has the images made anew with the next frame.
+    pub(crate) fn remake(&self) {
+        self.stale.store(true, Ordering::Relaxed);
+    }
+
+    /// Records the blending from a mip on, finer ones are not seen, if anything has changed.
+    pub(crate) fn record(&self, pass: &mut ComputePass<'_>, blender: &Blender, finest: u32) {
+        if !self.stale.swap(false, Ordering::Relaxed) {
+            return;
+        }
         pass.set_pipeline(&blender.pipeline);
         for (group, side) in self.mips.iter().skip(finest as usize) {
             pass.set_bind_group(0, group, &[]);
-            pass.dispatch_workgroups(side.div_ceil(GROUP), side.div_ceil(GROUP), images);
+            pass.dispatch_workgroups(side.div_ceil(GROUP), side.div_ceil(GROUP), self.blend.len() as u32);
         }
     }
 }

@@ -2,7 +2,7 @@
 
 use wgpu::{Buffer, CommandEncoder, CommandEncoderDescriptor, Device, Queue};
 
-use crate::{FrameStats, GpuCoat, PreparedView, RenderError, readback};
+use crate::{FrameStats, PreparedView, RenderError, readback};
 
 impl PreparedView {
     /// What the last [`crate::Renderer::compute`] or [`crate::Renderer::find_hidden`] that was submitted has the device draw; without times. Waits for
@@ -10,22 +10,22 @@ impl PreparedView {
     ///
     /// # Errors
     /// A lost device.
-    pub fn frame_stats(&self, device: &Device, queue: &Queue, coat: &GpuCoat) -> Result<FrameStats, RenderError> {
-        self.counts(device, queue).read(device, coat, self)
+    pub fn frame_stats(&self, device: &Device, queue: &Queue) -> Result<FrameStats, RenderError> {
+        self.counts(device, queue).read(device, self)
     }
 
     /// The faces, as patch vertices, of which it has the device draw the shells: to inspect, and to measure by. Waits for the device.
     ///
     /// # Errors
     /// A lost device.
-    pub fn shell_faces(&self, device: &Device, queue: &Queue, coat: &GpuCoat) -> Result<Vec<[u32; 3]>, RenderError> {
+    pub fn shell_faces(&self, device: &Device, queue: &Queue) -> Result<Vec<[u32; 3]>, RenderError> {
         let counts = self.counts(device, queue);
-        let drawn = counts.read(device, coat, self)?.faces_drawn;
-        let corners: Vec<u32> = if self.shown.culling {
+        let drawn = counts.read(device, self)?.faces_drawn;
+        let corners: Vec<u32> = if self.frame.shown.culling {
             readback::read(device, &counts.survivors, bytemuck::pod_collect_to_vec)?
         } else {
             let mut encoder = device.create_command_encoder(&CommandEncoderDescriptor { label: Some("shell faces") });
-            let all = copy(device, &mut encoder, &coat.furred_faces);
+            let all = copy(device, &mut encoder, &self.frame.coat.furred_faces);
             queue.submit([encoder.finish()]);
             readback::read(device, &all, bytemuck::pod_collect_to_vec)?
         };
@@ -58,29 +58,30 @@ impl Counts {
     /// Records the copies, after what picks.
     pub(crate) fn record(device: &Device, encoder: &mut CommandEncoder, view: &PreparedView) -> Self {
         let mut copy = |from: &Buffer| copy(device, encoder, from);
-        Self { fins: copy(&view.fins.draws), faces: copy(&view.faces.draws), survivors: copy(&view.faces.survivors) }
+        Self { fins: copy(&view.picks.fins.draws), faces: copy(&view.picks.faces.draws), survivors: copy(&view.picks.faces.survivors) }
     }
 
     /// Waits for the device and counts.
-    pub(crate) fn read(&self, device: &Device, coat: &GpuCoat, view: &PreparedView) -> Result<FrameStats, RenderError> {
+    pub(crate) fn read(&self, device: &Device, view: &PreparedView) -> Result<FrameStats, RenderError> {
+        let coat = &view.frame.coat;
         let words = |buffer| readback::read(device, buffer, bytemuck::pod_collect_to_vec::<u8, u32>);
-        let fins = if view.shown.fins { words(&self.fins)?[1] } else { 0 };
+        let fins = if view.frame.shown.fins { words(&self.fins)?[1] } else { 0 };
         let corners = words(&self.survivors)?;
         let arguments = words(&self.faces)?;
-        let faces_up_to = |run: usize| if view.shown.culling { arguments[5 * run] / 3 } else { coat.runs[run].faces };
+        let faces_up_to = |run: usize| if view.frame.shown.culling { arguments[5 * run] / 3 } else { coat.runs[run].faces };
         let (mut shell_faces, mut faces_drawn) = (0, 0);
-        for (run, range) in view.draws.iter().enumerate().filter(|(_, range)| view.shown.shells && range.start < range.end) {
+        for (run, range) in view.draws.iter().enumerate().filter(|(_, range)| view.frame.shown.shells && range.start < range.end) {
             shell_faces += u64::from(range.end - range.start) * u64::from(faces_up_to(run));
             faces_drawn = faces_drawn.max(faces_up_to(run));
         }
         let mut drawn = vec![false; coat.patch_count as usize];
-        if view.shown.culling {
+        if view.frame.shown.culling {
             for &corner in &corners[..3 * faces_drawn as usize] {
                 drawn[coat.patch_of[corner as usize] as usize] = true;
             }
         }
-        let skin = if view.shown.surface { u64::from(coat.corner_count / 3) } else { 0 };
-        let patches_drawn = if view.shown.culling { drawn.iter().filter(|&&drawn| drawn).count() as u32 } else { coat.patch_count };
+        let skin = if view.frame.shown.surface { u64::from(coat.corner_count / 3) } else { 0 };
+        let patches_drawn = if view.frame.shown.culling { drawn.iter().filter(|&&drawn| drawn).count() as u32 } else { coat.patch_count };
         Ok(FrameStats {
             shells_drawn: view.shell_count(),
             faces_drawn,
@@ -89,8 +90,8 @@ impl Counts {
             patches: coat.patch_count,
             level: view.level(),
             fins_drawn: fins,
-            fins_considered: view.fins_considered(coat),
-            triangles: skin + 2 * u64::from(view.shown.fin_segments) * u64::from(fins) + shell_faces,
+            fins_considered: view.fins_considered(),
+            triangles: skin + 2 * u64::from(view.frame.shown.fin_segments) * u64::from(fins) + shell_faces,
             passes: None,
         })
     }
@@ -103,11 +104,11 @@ impl PreparedView {
     /// # Errors
     /// A lost device.
     pub fn read_fins(&self, device: &Device, queue: &Queue) -> Result<Vec<(u32, f32)>, RenderError> {
-        if !self.shown.fins {
+        if !self.frame.shown.fins {
             return Ok(Vec::new());
         }
         let mut encoder = device.create_command_encoder(&CommandEncoderDescriptor { label: Some("fins") });
-        let [draws, survivors] = [&self.fins.draws, &self.fins.survivors].map(|from| copy(device, &mut encoder, from));
+        let [draws, survivors] = [&self.picks.fins.draws, &self.picks.fins.survivors].map(|from| copy(device, &mut encoder, from));
         queue.submit([encoder.finish()]);
         let words = |buffer| readback::read(device, buffer, bytemuck::pod_collect_to_vec::<u8, u32>);
         let count = words(&draws)?[1] as usize;

@@ -4,19 +4,22 @@ use std::ops::Range;
 
 use bytemuck::{Pod, Zeroable};
 use glam::{Mat4, Vec4};
-use wgpu::{Buffer, BufferUsages, Device, Queue, RenderPass};
+use wgpu::{Buffer, BufferUsages, Device, IndexFormat, Queue, RenderPass};
 
 use crate::buffers::room;
+use crate::frame::Frame;
+use crate::frame_groups::FrameBuffers;
 use crate::renderer::Shared;
-use crate::{Detail, GpuCoat, Options, PreparedView, RenderError, View, Viewpoint, schedule};
+use crate::{Detail, GpuCoat, Options, RenderError, View, Viewpoint, schedule};
 
 /// One coat at many places at once: a draw for each run of places with the same level of detail, in place of a view, its buffers and its draws for each.
 /// It is for coats small on the screen. They have no fins, no shadow map, levels of detail that change at once ([`Detail::Whole`]), and all faces are
 /// submitted; places out of view are left out. What comes near is better off with a [`PreparedView`] of its own.
 #[derive(Debug)]
 pub struct Crowd {
+    coat: GpuCoat,
     /// A view of the world for each level of detail.
-    levels: Vec<PreparedView>,
+    levels: Vec<Frame>,
     places: Buffer,
     most: u32,
     /// For each instance of a draw, its place and its shell: eight bits of shell at the bottom.
@@ -64,8 +67,12 @@ impl Crowd {
             return Err(RenderError::Limit { what: "bytes of places of a crowd, so draw several", needed: bytes.max(words), limit });
         }
         let places = room(device, "places", BufferUsages::STORAGE, bytes);
-        let prepare = |level: usize| PreparedView::new(device, queue, shared, coat, &of_level(view, level), world, Some(&places));
+        let prepare = |level: usize| {
+            let target = (FrameBuffers::new(device), &places, true);
+            Frame::new(device, queue, shared, coat, (&of_level(view, level), world), target)
+        };
         Ok(Self {
+            coat: coat.clone(),
             levels: (0..level_count).map(prepare).collect::<Result<_, _>>()?,
             most,
             skins: room(device, "skins of a crowd", BufferUsages::VERTEX, 4 * u64::from(most)),
@@ -81,7 +88,6 @@ impl Crowd {
         device: &Device,
         queue: &Queue,
         shared: &Shared,
-        coat: &GpuCoat,
         (view, world): (&View, &Viewpoint),
         places: &[Mat4],
     ) -> Result<(), RenderError> {
@@ -93,11 +99,11 @@ impl Crowd {
             return Err(RenderError::View { what: "a place of the crowd" });
         }
         for (level, prepared) in self.levels.iter_mut().enumerate() {
-            prepared.update(device, queue, shared, coat, &of_level(view, level), world)?;
+            prepared.update(device, queue, shared, (&of_level(view, level), world))?;
         }
         let rows: Vec<Place> = places.iter().map(|m| Place([m.row(0), m.row(1), m.row(2)].map(|row| row.to_array()))).collect();
         queue.write_buffer(&self.places, 0, bytemuck::cast_slice(&rows));
-        let seen = seen(coat, view, world, places);
+        let seen = seen(&self.coat, view, world, places);
         // The near before the far: what it hides fails the depth test.
         let skins = seen.iter().rev().map(|seen| (seen.level, seen.number << 8));
         self.skin_runs = write(queue, &self.skins, skins);
@@ -107,15 +113,19 @@ impl Crowd {
         Ok(())
     }
 
-    pub(crate) fn draw_surface(&self, pass: &mut RenderPass<'_>, coat: &GpuCoat) {
+    pub(crate) fn draw_surface(&self, pass: &mut RenderPass<'_>) {
         for Run { level, instances } in self.skin_runs.iter().filter(|run| self.levels[run.level].shown.surface) {
-            self.levels[*level].draw_crowd_surface(pass, coat, &self.skins, instances.clone());
+            self.levels[*level].draw_surface(pass, Some(&self.skins), instances.clone());
         }
     }
 
-    pub(crate) fn draw_shells(&self, pass: &mut RenderPass<'_>, coat: &GpuCoat) {
+    pub(crate) fn draw_shells(&self, pass: &mut RenderPass<'_>) {
         for Run { level, instances } in self.shell_runs.iter().filter(|run| self.levels[run.level].shown.shells) {
-            self.levels[*level].draw_crowd_shells(pass, coat, &self.shells, instances.clone());
+            let frame = &self.levels[*level];
+            frame.begin_tiles(pass, &frame.pipelines.shells);
+            pass.set_vertex_buffer(1, self.shells.slice(..));
+            pass.set_index_buffer(self.coat.furred_faces.slice(..), IndexFormat::Uint32);
+            pass.draw_indexed(0..3 * self.coat.furred_face_count(), 0, instances.clone());
         }
     }
 

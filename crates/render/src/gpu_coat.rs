@@ -1,5 +1,7 @@
 //! A coat on the device.
 
+use std::sync::Arc;
+
 use glam::Vec3;
 use pelage_coat::Coat;
 use wgpu::{BindGroup, BindGroupLayout, BindingResource, Buffer, BufferUsages, Device, Queue};
@@ -10,8 +12,8 @@ use crate::furred_faces::{FurredFaces, Run};
 use crate::pipelines::CoatTraits;
 use crate::{GpuTextures, pack};
 
-/// A coat's arrays and textures on the device, made by [`crate::Renderer::upload`].
-#[derive(Debug)]
+/// A coat's arrays and textures on the device, made by [`crate::Renderer::upload`]. A clone is the same coat: what is written to the one is written to the other.
+#[derive(Clone, Debug)]
 pub struct GpuCoat {
     pub(crate) bind_group: BindGroup,
     pub(crate) skin: Buffer,
@@ -24,7 +26,7 @@ pub struct GpuCoat {
     pub(crate) furred_faces: Buffer,
     /// The run of each furred face.
     pub(crate) run_of: Buffer,
-    pub(crate) runs: Vec<Run>,
+    pub(crate) runs: Arc<[Run]>,
     pub(crate) corner_count: u32,
     pub(crate) edge_count: u32,
     pub(crate) traits: CoatTraits,
@@ -36,7 +38,7 @@ pub struct GpuCoat {
     /// The ball around skin and fur: centre and radius.
     pub(crate) ball: (Vec3, f32),
     /// The patch of each patch vertex, to count by.
-    pub(crate) patch_of: Vec<u32>,
+    pub(crate) patch_of: Arc<[u32]>,
     pub(crate) patch_count: u32,
     pub(crate) textures: GpuTextures,
 }
@@ -60,7 +62,7 @@ impl GpuCoat {
             faces: array(device, queue, "faces", BufferUsages::INDEX, &coat.patches.faces),
             furred_faces: array(device, queue, "furred faces", BufferUsages::INDEX | BufferUsages::COPY_SRC | storage, &furred.faces),
             run_of: array(device, queue, "runs", storage, &furred.run_of),
-            runs: furred.runs,
+            runs: furred.runs.into(),
             corner_count: 3 * coat.patches.faces.len() as u32,
             edge_count: if textures.has_fin { coat.edges.vertices.len() as u32 } else { 0 },
             traits: CoatTraits {
@@ -72,7 +74,7 @@ impl GpuCoat {
             shortest: coat.surface.offsets.iter().map(|offset| offset.length()).fold(f32::INFINITY, f32::min),
             tile_side: tiles.iter().map(|tile| tile.tile_side).fold(0.0, f32::max),
             ball: ball(coat),
-            patch_of: patch_of(coat),
+            patch_of: patch_of(coat).into(),
             patch_count: coat.patches.patch_ends.len() as u32,
             skin,
             fur,

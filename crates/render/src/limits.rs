@@ -5,7 +5,7 @@ use wgpu::Limits;
 
 use crate::RenderError;
 use crate::schedule::MOST_SHELLS;
-use crate::selection::MOST_ITEMS;
+use crate::selection::GROUP;
 
 /// Checks a coat against a device's limits.
 pub(crate) fn check_coat(limits: &Limits, coat: &Coat) -> Result<(), RenderError> {
@@ -13,8 +13,10 @@ pub(crate) fn check_coat(limits: &Limits, coat: &Coat) -> Result<(), RenderError
     let vertices = coat.surface.positions.len() as u64;
     at_most("bytes of vertices, so coarsen the mesh or draw it in parts", 16 * vertices, storage)?;
     at_most("bytes of edges for fins, so coarsen the mesh or draw it in parts", 48 * coat.edges.vertices.len() as u64, storage)?;
-    at_most("edges for fins, so coarsen the mesh or draw it in parts", coat.edges.vertices.len() as u64, MOST_ITEMS)?;
-    at_most("faces, so coarsen the mesh or draw it in parts", coat.patches.faces.len() as u64, MOST_ITEMS)?;
+    // Compute shaders look at them in groups in a row.
+    let items = u64::from(limits.max_compute_workgroups_per_dimension) * u64::from(GROUP);
+    at_most("edges for fins, so coarsen the mesh or draw it in parts", coat.edges.vertices.len() as u64, items)?;
+    at_most("faces, so coarsen the mesh or draw it in parts", coat.patches.faces.len() as u64, items)?;
     let patches = &coat.patches;
     let largest = (24 * patches.vertices.len() as u64).max(12 * patches.faces.len() as u64);
     at_most("bytes of patch vertices or faces, so coarsen the mesh or draw it in parts", largest, storage)?;

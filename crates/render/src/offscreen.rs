@@ -102,7 +102,7 @@ impl Offscreen {
         let stride = readback::row_stride(width);
         let buffer = readback::readable(device, u64::from(stride) * u64::from(height));
         let mut encoder = self.encoder();
-        let plan = FramePlan { attachments, coat, hidden: view.options.hidden };
+        let plan = FramePlan { attachments, hidden: view.options.hidden };
         self.encode(&mut encoder, &plan, &mut prepared, self.timer.as_ref());
         let counts = Counts::record(device, &mut encoder, &prepared);
         readback::copy_pixels(&mut encoder, &attachments.pixels, &buffer);
@@ -112,7 +112,7 @@ impl Offscreen {
         let pixels = readback::read(device, &buffer, <[u8]>::to_vec)?;
         let passes = self.timer.as_ref().map(|timer| timer.read(device, self.headless.queue())).transpose()?;
         self.headless.check()?;
-        let frame = FrameStats { passes, ..counts.read(device, coat, &prepared)? };
+        let frame = FrameStats { passes, ..counts.read(device, &prepared)? };
         let rows = pixels.chunks(stride as usize).flat_map(|row| &row[..4 * width as usize]);
         let mut rgba: Vec<u8> = rows.copied().collect();
         let coverage = rgba.chunks_exact(4).map(|pixel| pixel[3]).collect();
@@ -128,13 +128,13 @@ impl Offscreen {
         let Some(attachments) = &self.attachments else { return Ok(FrameTimes::default()) };
         let _one_at_a_time = self.lock();
         let mut prepared = self.prepare(coat, view, background)?;
-        let plan = FramePlan { attachments, coat, hidden: view.options.hidden };
+        let plan = FramePlan { attachments, hidden: view.options.hidden };
         let (device, queue) = (self.headless.device(), self.headless.queue());
         let mut draw = |timer: Option<&PassTimer>| {
             let start = Instant::now();
             let mut encoder = self.encoder();
             // As if something had moved.
-            prepared.redraw_shadows();
+            prepared.remake();
             self.encode(&mut encoder, &plan, &mut prepared, timer);
             queue.submit([encoder.finish()]);
             readback::wait(device)?;
@@ -166,30 +166,30 @@ impl Offscreen {
 
     /// What is computed ahead, then one drawing pass, or three of them if they are timed or what is hidden is left out.
     fn encode(&self, encoder: &mut CommandEncoder, plan: &FramePlan<'_>, view: &mut PreparedView, timer: Option<&PassTimer>) {
-        let (attachments, coat) = (plan.attachments, plan.coat);
-        self.renderer.compute_timed(encoder, coat, view, timer.map(PassTimer::compute_writes));
+        let attachments = plan.attachments;
+        self.renderer.compute_timed(encoder, view, timer.map(PassTimer::compute_writes));
         if timer.is_none() && !plan.hidden {
             let mut pass = attachments.pass(encoder, "frame", Place { first: true, last: true }, None);
             self.background.draw(&mut pass);
-            self.renderer.draw(&mut pass, coat, view);
+            self.renderer.draw(&mut pass, view);
             return;
         }
         {
             let mut pass = attachments.pass(encoder, "surface", Place { first: true, last: false }, timer.map(|timer| timer.writes(0)));
             self.background.draw(&mut pass);
-            self.renderer.draw_surface(&mut pass, coat, view);
+            self.renderer.draw_surface(&mut pass, view);
         }
         if plan.hidden {
             let (device, queue) = (self.headless.device(), self.headless.queue());
-            self.renderer.find_hidden(device, queue, encoder, coat, view, DepthBuffer { view: &attachments.depth, size: self.size });
+            self.renderer.find_hidden(device, queue, encoder, view, DepthBuffer { view: &attachments.depth, size: self.size });
         }
         {
             let mut pass = attachments.pass(encoder, "fins", Place { first: false, last: false }, timer.map(|timer| timer.writes(1)));
-            self.renderer.draw_fins(&mut pass, coat, view);
+            self.renderer.draw_fins(&mut pass, view);
         }
         {
             let mut pass = attachments.pass(encoder, "shells", Place { first: false, last: true }, timer.map(|timer| timer.writes(2)));
-            self.renderer.draw_shells(&mut pass, coat, view);
+            self.renderer.draw_shells(&mut pass, view);
         }
         if let Some(timer) = timer {
             timer.resolve(encoder);
@@ -200,6 +200,5 @@ impl Offscreen {
 /// What a frame is drawn from, and into.
 struct FramePlan<'a> {
     attachments: &'a Attachments,
-    coat: &'a GpuCoat,
     hidden: bool,
 }

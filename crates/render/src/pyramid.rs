@@ -16,7 +16,7 @@ use crate::shader::assemble;
 /// Pixels along a side of the finest squares, and squares along a side of what one group of the shader makes.
 const SQUARE: u32 = 8;
 
-/// Words before the first level: the finest level's size, and how many levels there are.
+/// Words before the first level: the finest level's size, how many levels there are, and width and height in pixels, of 16 bits each.
 const HEADER: u32 = 4;
 
 /// The compute pipelines: from depth to the finest squares, and from squares to larger ones.
@@ -90,7 +90,7 @@ impl Pyramid {
         let levels = levels(size);
         let words = levels.last().map_or(HEADER, |last| last.place + last.written[0] * last.written[1]);
         let furthest = room(device, "pyramid", BufferUsages::STORAGE, 4 * u64::from(words));
-        let header = [levels[0].written[0], levels[0].written[1], levels.len() as u32, 0];
+        let header = [levels[0].written[0], levels[0].written[1], levels.len() as u32, size.0 | size.1 << 16];
         queue.write_buffer(&furthest, 0, bytemuck::cast_slice(&header));
         let groups = levels.iter().enumerate().map(|(k, level)| {
             let level_buffer = array(device, queue, "level of a pyramid", BufferUsages::UNIFORM, &[*level]);

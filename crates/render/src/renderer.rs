@@ -102,7 +102,7 @@ impl Renderer {
         view: &View,
         viewpoint: &Viewpoint,
     ) -> Result<PreparedView, RenderError> {
-        PreparedView::new(device, queue, &self.shared, coat, view, viewpoint, None)
+        PreparedView::new(device, queue, &self.shared, coat, (view, viewpoint))
     }
 
     /// Moves a view to the next frame's: a few kilobytes are written, pipelines are made where options are used for the first time.
@@ -113,31 +113,25 @@ impl Renderer {
         &self,
         device: &Device,
         queue: &Queue,
-        coat: &GpuCoat,
         prepared: &mut PreparedView,
         view: &View,
         viewpoint: &Viewpoint,
     ) -> Result<(), RenderError> {
-        prepared.update(device, queue, &self.shared, coat, view, viewpoint)
+        prepared.update(device, queue, &self.shared, (view, viewpoint))
     }
 
-    /// Records what comes ahead of the pass that draws: which fins and which faces, blended levels of detail, the shadow map where it is stale. Once a frame.
-    pub fn compute(&self, encoder: &mut CommandEncoder, coat: &GpuCoat, view: &PreparedView) {
-        self.compute_timed(encoder, coat, view, None);
+    /// Records what comes ahead of the pass that draws: which fins and which faces, blended levels of detail, the shadow map where it is stale. Once a frame; what is
+    /// kept from frame to frame counts as made from here on, so that whoever throws the encoder away calls [`PreparedView::remake`].
+    pub fn compute(&self, encoder: &mut CommandEncoder, view: &PreparedView) {
+        self.compute_timed(encoder, view, None);
     }
 
-    pub(crate) fn compute_timed(
-        &self,
-        encoder: &mut CommandEncoder,
-        coat: &GpuCoat,
-        view: &PreparedView,
-        times: Option<ComputePassTimestampWrites<'_>>,
-    ) {
+    pub(crate) fn compute_timed(&self, encoder: &mut CommandEncoder, view: &PreparedView, times: Option<ComputePassTimestampWrites<'_>>) {
         {
             let mut pass = encoder.begin_compute_pass(&ComputePassDescriptor { label: Some("pelage"), timestamp_writes: times });
             view.record(&mut pass, &self.shared);
         }
-        view.record_shadows(encoder, coat);
+        view.frame.record_shadows(encoder);
     }
 
     /// Leaves out the shells of faces that what has been drawn so far hides (K18): between the pass that draws the surface and all else that is opaque, and the
@@ -147,11 +141,10 @@ impl Renderer {
         device: &Device,
         queue: &Queue,
         encoder: &mut CommandEncoder,
-        coat: &GpuCoat,
         view: &mut PreparedView,
         depth: DepthBuffer<'_>,
     ) {
-        view.record_hidden(device, queue, encoder, &self.shared, coat, depth);
+        view.record_hidden(device, queue, encoder, &self.shared, depth);
     }
 
     /// Makes room for one coat at `most` places at once, drawn together; see [`Crowd`]. The frame is the world's: camera and lights are not carried over.
@@ -178,44 +171,43 @@ impl Renderer {
         &self,
         device: &Device,
         queue: &Queue,
-        coat: &GpuCoat,
         crowd: &mut Crowd,
         (view, world): (&View, &Viewpoint),
         places: &[Mat4],
     ) -> Result<(), RenderError> {
-        crowd.update(device, queue, &self.shared, coat, (view, world), places)
+        crowd.update(device, queue, &self.shared, (view, world), places)
     }
 
     /// The opaque skin of a crowd; nothing is to be computed ahead.
-    pub fn draw_crowd_surface(&self, pass: &mut RenderPass<'_>, coat: &GpuCoat, crowd: &Crowd) {
-        crowd.draw_surface(pass, coat);
+    pub fn draw_crowd_surface(&self, pass: &mut RenderPass<'_>, crowd: &Crowd) {
+        crowd.draw_surface(pass);
     }
 
     /// The shells of a crowd, after the skin of everything.
-    pub fn draw_crowd_shells(&self, pass: &mut RenderPass<'_>, coat: &GpuCoat, crowd: &Crowd) {
-        crowd.draw_shells(pass, coat);
+    pub fn draw_crowd_shells(&self, pass: &mut RenderPass<'_>, crowd: &Crowd) {
+        crowd.draw_shells(pass);
     }
 
     /// Records surface, fins and shells into a pass of this renderer's [`Target`], after [`Renderer::compute`].
-    pub fn draw(&self, pass: &mut RenderPass<'_>, coat: &GpuCoat, view: &PreparedView) {
-        self.draw_surface(pass, coat, view);
-        self.draw_fins(pass, coat, view);
-        self.draw_shells(pass, coat, view);
+    pub fn draw(&self, pass: &mut RenderPass<'_>, view: &PreparedView) {
+        self.draw_surface(pass, view);
+        self.draw_fins(pass, view);
+        self.draw_shells(pass, view);
     }
 
     /// The opaque skin alone (L10).
-    pub fn draw_surface(&self, pass: &mut RenderPass<'_>, coat: &GpuCoat, view: &PreparedView) {
-        view.draw_surface(pass, coat);
+    pub fn draw_surface(&self, pass: &mut RenderPass<'_>, view: &PreparedView) {
+        view.draw_surface(pass);
     }
 
     /// The fins alone (L11); the skin's depth should be there.
-    pub fn draw_fins(&self, pass: &mut RenderPass<'_>, coat: &GpuCoat, view: &PreparedView) {
-        view.draw_fins(pass, coat);
+    pub fn draw_fins(&self, pass: &mut RenderPass<'_>, view: &PreparedView) {
+        view.draw_fins(pass);
     }
 
     /// The layers alone (L12, L17), innermost first.
-    pub fn draw_shells(&self, pass: &mut RenderPass<'_>, coat: &GpuCoat, view: &PreparedView) {
-        view.draw_shells(pass, coat);
+    pub fn draw_shells(&self, pass: &mut RenderPass<'_>, view: &PreparedView) {
+        view.draw_shells(pass);
     }
 }
 

@@ -14,10 +14,7 @@ use crate::shader::assemble;
 use crate::{GpuCoat, Target};
 
 /// Items that one group of the compute shaders looks at.
-const GROUP: u32 = 256;
-
-/// Most items that there can be: as many as groups can be started in a row.
-pub(crate) const MOST_ITEMS: u64 = 65_535 * GROUP as u64;
+pub(crate) const GROUP: u32 = 256;
 
 /// What is picked.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

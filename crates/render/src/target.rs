@@ -18,9 +18,10 @@ pub struct Target {
 /// What has been drawn so far, to look for what hides fur.
 #[derive(Clone, Copy, Debug)]
 pub struct DepthBuffer<'a> {
-    /// The depth attachment; its texture is made with `TEXTURE_BINDING`.
+    /// The depth attachment, of which the whole is drawn into; its texture is made with `TEXTURE_BINDING`. Of a format with a stencil too, a view of
+    /// [`wgpu::TextureAspect::DepthOnly`]. What it takes to look into it is kept until another view is given.
     pub view: &'a TextureView,
-    /// Width and height, in pixels.
+    /// Width and height, in pixels; at most 65,535 each.
     pub size: (u32, u32),
 }
 

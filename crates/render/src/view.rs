@@ -144,9 +144,11 @@ impl Default for Detail {
 /// How far a shell's pixel looks into the fur (L26, N9).
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct March {
-    /// How many layers each drawn shell shows, where the ray of sight meets them; 1: its own, as the paper has it.
+    /// How many layers each drawn shell shows, where the ray of sight meets them; 1: its own, as the paper has it. A coat with levels of detail rounds it up to
+    /// a power of two, and halves it from level to level.
     pub layers: u32,
-    /// Samples of the volume for each layer; 1: the layers themselves, 2 and more: what lies between them, too.
+    /// Samples of the volume for each layer; 1: the layers themselves, 2 and more: what lies between them, too. It marches through whole levels of detail: of
+    /// [`Detail::Spacing`] the finest.
     pub steps: u32,
 }
 
@@ -195,7 +197,7 @@ pub struct Options {
     pub fin_rule: FinRule,
     /// Into how many quads a fin is cut on its way up, so that it bends with the hair (K11); 1 to 16. Vertices are linear in it.
     pub fin_segments: u32,
-    /// The shells.
+    /// The shells. Those that are not drawn cast their shadows all the same.
     pub shells: bool,
     /// Which of the shells.
     pub layers: ShellRange,

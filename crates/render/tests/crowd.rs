@@ -60,12 +60,12 @@ fn world() -> Viewpoint {
 fn together((host, renderer, coat): &(Host, Renderer, GpuCoat), options: Options) -> (Vec<u8>, Vec<u32>) {
     let view = view(Mat4::IDENTITY, options);
     let mut crowd = renderer.prepare_crowd(&host.device, &host.queue, coat, (&view, &world()), 3).unwrap();
-    renderer.update_crowd(&host.device, &host.queue, coat, &mut crowd, (&view, &world()), &places()).unwrap();
+    renderer.update_crowd(&host.device, &host.queue, &mut crowd, (&view, &world()), &places()).unwrap();
     let mut encoder = host.encoder();
     {
         let mut pass = host.pass(&mut encoder, true, true);
-        renderer.draw_crowd_surface(&mut pass, coat, &crowd);
-        renderer.draw_crowd_shells(&mut pass, coat, &crowd);
+        renderer.draw_crowd_surface(&mut pass, &crowd);
+        renderer.draw_crowd_shells(&mut pass, &crowd);
     }
     host.finish(encoder).unwrap();
     (host.pixels().unwrap(), crowd.seen_by_level())
@@ -79,11 +79,11 @@ fn one_by_one((host, renderer, coat): &(Host, Renderer, GpuCoat), options: Optio
         renderer.prepare(&host.device, &host.queue, coat, &view(place, options), &viewpoint).unwrap()
     });
     let mut encoder = host.encoder();
-    far_first.iter().for_each(|prepared| renderer.compute(&mut encoder, coat, prepared));
+    far_first.iter().for_each(|prepared| renderer.compute(&mut encoder, prepared));
     {
         let mut pass = host.pass(&mut encoder, true, true);
-        far_first.iter().for_each(|prepared| renderer.draw_surface(&mut pass, coat, prepared));
-        far_first.iter().for_each(|prepared| renderer.draw_shells(&mut pass, coat, prepared));
+        far_first.iter().for_each(|prepared| renderer.draw_surface(&mut pass, prepared));
+        far_first.iter().for_each(|prepared| renderer.draw_shells(&mut pass, prepared));
     }
     host.finish(encoder).unwrap();
     host.pixels().unwrap()
@@ -143,10 +143,10 @@ fn the_faces_drawn_can_be_read_back() {
         let view = view(Mat4::IDENTITY, Options { culling, ..Options::default() });
         let prepared = renderer.prepare(&host.device, &host.queue, &coat, &view, &world()).unwrap();
         let mut encoder = host.encoder();
-        renderer.compute(&mut encoder, &coat, &prepared);
+        renderer.compute(&mut encoder, &prepared);
         host.finish(encoder).unwrap();
-        let stats = prepared.frame_stats(&host.device, &host.queue, &coat).unwrap();
-        let faces = prepared.shell_faces(&host.device, &host.queue, &coat).unwrap();
+        let stats = prepared.frame_stats(&host.device, &host.queue).unwrap();
+        let faces = prepared.shell_faces(&host.device, &host.queue).unwrap();
         assert_eq!(faces.len(), stats.faces_drawn as usize);
         faces
     };
@@ -162,7 +162,7 @@ fn a_crowd_says_what_it_cannot_hold() {
     let (host, renderer, coat) = setting();
     let view = view(Mat4::IDENTITY, Options::default());
     let mut crowd = renderer.prepare_crowd(&host.device, &host.queue, &coat, (&view, &world()), 2).unwrap();
-    let mut update = |places: &[Mat4]| renderer.update_crowd(&host.device, &host.queue, &coat, &mut crowd, (&view, &world()), places);
+    let mut update = |places: &[Mat4]| renderer.update_crowd(&host.device, &host.queue, &mut crowd, (&view, &world()), places);
     assert!(matches!(update(&places()), Err(RenderError::Limit { needed: 3, limit: 2, .. })));
     assert!(matches!(update(&[Mat4::from_translation(Vec3::NAN)]), Err(RenderError::View { .. })));
     assert!(update(&[]).is_ok() && update(&places()[..2]).is_ok());

@@ -62,7 +62,7 @@ fn random_edges(count: u32) -> Coat {
 fn picked(stage: &Stage, coat: &Coat, view: &View) -> Vec<(u32, f32)> {
     let uploaded = stage.upload(coat);
     let prepared = stage.prepare(&uploaded, view);
-    stage.frame(&uploaded, &prepared);
+    stage.frame(&prepared);
     prepared.read_fins(&stage.device, &stage.queue).expect("fins")
 }
 
@@ -190,18 +190,18 @@ fn frames_repeat_bit_for_bit_and_come_back_after_the_camera_has_been_away() {
     let uploaded = stage.upload(&ball());
     let [here, there] = [EYES[0], EYES[1]].map(|eye| seen_from(eye, Options::default()));
     let mut prepared = stage.prepare(&uploaded, &here);
-    let first = stage.frame(&uploaded, &prepared);
+    let first = stage.frame(&prepared);
     for _ in 0..3 {
-        assert!(stage.frame(&uploaded, &prepared) == first);
+        assert!(stage.frame(&prepared) == first);
     }
     for step in 1..=4 {
         let eye = EYES[0].lerp(EYES[1], step as f32 / 4.0);
-        stage.update(&uploaded, &mut prepared, &seen_from(eye, Options::default()));
-        assert!(stage.frame(&uploaded, &prepared) != first);
+        stage.update(&mut prepared, &seen_from(eye, Options::default()));
+        assert!(stage.frame(&prepared) != first);
     }
-    assert!(stage.frame(&uploaded, &prepared) == stage.frame(&uploaded, &stage.prepare(&uploaded, &there)));
-    stage.update(&uploaded, &mut prepared, &here);
-    assert!(stage.frame(&uploaded, &prepared) == first);
+    assert!(stage.frame(&prepared) == stage.frame(&stage.prepare(&uploaded, &there)));
+    stage.update(&mut prepared, &here);
+    assert!(stage.frame(&prepared) == first);
     assert_eq!(headless().take_errors(), Vec::<String>::new());
 }
 
@@ -338,7 +338,7 @@ fn a_fin_keeps_its_interval_of_the_texture_when_others_come_and_go() {
         let mut viewpoint = stage.viewpoint(&view);
         viewpoint.toward_eye = Vec3::new(aside, 0.0, 1.0).normalize();
         let prepared = stage.prepare_from(&uploaded, &view, &viewpoint);
-        let pixels = stage.frame(&uploaded, &prepared);
+        let pixels = stage.frame(&prepared);
         let right: Vec<u8> = pixels.chunks_exact(4 * SIZE.0 as usize).flat_map(|row| row[2 * SIZE.0 as usize..].to_vec()).collect();
         (prepared.read_fins(&stage.device, &stage.queue).expect("fins").len(), right)
     };

@@ -391,7 +391,7 @@ fn any_two_options_draw_together_without_complaint() {
         let stage = &targets[target];
         let uploaded = stage.upload(&furry(bent == 1, cut == 1, map == 1, detail > 0));
         let prepared = stage.prepare(&uploaded, &view(options));
-        let pixels = stage.frame(&uploaded, &prepared);
+        let pixels = stage.frame(&prepared);
         assert_eq!(headless().take_errors(), Vec::<String>::new(), "{options:?}");
         let covered = pixels.chunks_exact(4).filter(|pixel| pixel[3] == 255).count();
         assert!((1500..4500).contains(&covered), "{covered} pixels: {options:?}");
@@ -405,7 +405,7 @@ fn depth_from_near_to_far_or_from_far_to_near_is_the_same_picture() {
         let target = Target { reversed_depth, ..Target::new(TextureFormat::Rgba8UnormSrgb, 4) };
         let stage = Stage::on(headless().device(), headless().queue(), target);
         let uploaded = stage.upload(&furry(true, true, false, true));
-        stage.frame(&uploaded, &stage.prepare(&uploaded, &view(every_feature()[0])))
+        stage.frame(&stage.prepare(&uploaded, &view(every_feature()[0])))
     });
     // Where surfaces cut through each other, rounding decides.
     let off = pictures[0].iter().zip(&pictures[1]).filter(|(a, b)| a.abs_diff(**b) > 2).count();
@@ -425,7 +425,7 @@ fn a_device_with_no_more_than_wgpus_default_limits_draws_everything() {
     for options in every_feature() {
         let frame = |stage: &Stage| {
             let uploaded = stage.upload(&furry(true, true, true, true));
-            stage.frame(&uploaded, &stage.prepare(&uploaded, &view(Options { detail: Detail::Level(0.8), ..options })))
+            stage.frame(&stage.prepare(&uploaded, &view(Options { detail: Detail::Level(0.8), ..options })))
         };
         assert!(frame(&stage) == frame(&shared));
     }
@@ -470,7 +470,7 @@ fn embedded(models: &[Mat4]) -> usize {
         .collect();
     let mut encoder = device.create_command_encoder(&CommandEncoderDescriptor::default());
     for view in &prepared {
-        renderer.compute(&mut encoder, &coat, view);
+        renderer.compute(&mut encoder, view);
     }
     {
         let mut pass = encoder.begin_render_pass(&RenderPassDescriptor {
@@ -489,7 +489,7 @@ fn embedded(models: &[Mat4]) -> usize {
             ..RenderPassDescriptor::default()
         });
         for view in &prepared {
-            renderer.draw(&mut pass, &coat, view);
+            renderer.draw(&mut pass, view);
         }
     }
     let buffer = device.create_buffer(&wgpu::BufferDescriptor {

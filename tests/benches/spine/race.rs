@@ -1,7 +1,7 @@
 //! Several ways of drawing in turn, so that a busy machine is unfair to all alike.
 
 use pelage_coat::Coat;
-use pelage_render::{DepthBuffer, GpuCoat, Headless, Options, PreparedView, View, Viewpoint};
+use pelage_render::{DepthBuffer, Headless, Options, PreparedView, View, Viewpoint};
 use wgpu::{CommandEncoder, RenderPass};
 
 use super::stage::{SIZE, Stage};
@@ -44,11 +44,11 @@ impl<'a> Contender<'a> {
     pub fn ours(headless: &Headless, stage: &'a Stage, fur: &'a Fur, name: &str, redraw_shadows: bool) -> Self {
         let compute = move |encoder: &mut CommandEncoder| {
             if redraw_shadows {
-                fur.view.redraw_shadows();
+                fur.view.remake();
             }
-            stage.renderer.compute(encoder, &fur.coat, &fur.view);
+            stage.renderer.compute(encoder, &fur.view);
         };
-        let draw = move |pass: &mut RenderPass<'_>| stage.renderer.draw(pass, &fur.coat, &fur.view);
+        let draw = move |pass: &mut RenderPass<'_>| stage.renderer.draw(pass, &fur.view);
         let fragments = Some(stage.fragments(headless, &compute, &draw));
         let record = move |encoder: &mut CommandEncoder| {
             compute(encoder);
@@ -66,7 +66,6 @@ impl<'a> Contender<'a> {
 
 /// A coat and a view of it on the device.
 pub struct Fur {
-    pub coat: GpuCoat,
     pub view: PreparedView,
 }
 
@@ -76,7 +75,7 @@ impl Fur {
         let renderer = &stage.renderer;
         let coat = renderer.upload(device, queue, coat).expect("a whole coat");
         let view = renderer.prepare(device, queue, &coat, view, &Viewpoint::of(&view.camera, SIZE)).expect("a finite view");
-        Self { coat, view }
+        Self { view }
     }
 
     /// The same coat with other options.
@@ -86,29 +85,29 @@ impl Fur {
 
     /// The faces whose shells are drawn.
     pub fn faces(&self, headless: &Headless, stage: &Stage) -> Vec<[u32; 3]> {
-        stage.time(headless, &mut |encoder| stage.renderer.compute(encoder, &self.coat, &self.view));
-        self.view.shell_faces(headless.device(), headless.queue(), &self.coat).expect("the device answers")
+        stage.time(headless, &mut |encoder| stage.renderer.compute(encoder, &self.view));
+        self.view.shell_faces(headless.device(), headless.queue()).expect("the device answers")
     }
 
     /// The faces left where what the skin hides is left out, too.
     pub fn unhidden_faces(&mut self, headless: &Headless, stage: &Stage) -> Vec<[u32; 3]> {
         stage.time(headless, &mut |encoder| self.record_hidden(headless, stage, encoder));
-        self.view.shell_faces(headless.device(), headless.queue(), &self.coat).expect("the device answers")
+        self.view.shell_faces(headless.device(), headless.queue()).expect("the device answers")
     }
 
     fn triangles(&self, headless: &Headless) -> u64 {
-        self.view.frame_stats(headless.device(), headless.queue(), &self.coat).expect("the device answers").triangles
+        self.view.frame_stats(headless.device(), headless.queue()).expect("the device answers").triangles
     }
 
     fn record_hidden(&mut self, headless: &Headless, stage: &Stage, encoder: &mut CommandEncoder) {
-        let (Self { coat, view }, renderer) = (self, &stage.renderer);
-        renderer.compute(encoder, coat, view);
-        renderer.draw_surface(&mut stage.pass(encoder, (true, false), None), coat, view);
+        let (view, renderer) = (&mut self.view, &stage.renderer);
+        renderer.compute(encoder, view);
+        renderer.draw_surface(&mut stage.pass(encoder, (true, false), None), view);
         let depth = DepthBuffer { view: &stage.depth, size: SIZE };
-        renderer.find_hidden(headless.device(), headless.queue(), encoder, coat, view, depth);
+        renderer.find_hidden(headless.device(), headless.queue(), encoder, view, depth);
         let mut pass = stage.pass(encoder, (false, true), None);
-        renderer.draw_fins(&mut pass, coat, view);
-        renderer.draw_shells(&mut pass, coat, view);
+        renderer.draw_fins(&mut pass, view);
+        renderer.draw_shells(&mut pass, view);
     }
 }
 

@@ -68,7 +68,8 @@ fn in_world(v: vec4f) -> vec3f {
 }
 
 fn size_in_world() -> f32 {
-    return length(places[place_number].x.xyz);
+    // A place of no size shows nothing, without dividing by it.
+    return max(length(places[place_number].x.xyz), 1e-30);
 }
 #endif
 

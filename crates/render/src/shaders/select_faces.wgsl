@@ -8,7 +8,7 @@
 @group(0) @binding(4) var<storage, read> tiles: array<u32>;  // patch vertices, six words each
 
 #if HIDDEN
-@group(0) @binding(5) var<storage, read> furthest: array<f32>;  // pyramid.wgsl: size, levels, then level by level
+@group(0) @binding(5) var<storage, read> furthest: array<f32>;  // pyramid.rs: size, levels, pixels, then level by level
 #endif
 
 // A corner's hair in homogeneous coordinates, as the powers of its height: at (h) = x + y h + z h².
@@ -122,9 +122,10 @@ fn is_hidden(face: Face) -> bool {
         }
     }
     // Pixels, y down, and one more on each side for what rounding may move.
-    let pixels = 2.0 * frame.screen.xy;
-    let low = clamp(vec2f(least.x, -most.y) * frame.screen.xy + frame.screen.xy - 1.0, vec2f(0.0), pixels);
-    let high = clamp(vec2f(most.x, -least.y) * frame.screen.xy + frame.screen.xy + 1.0, vec2f(0.0), pixels);
+    let sides = bitcast<u32>(furthest[3]);
+    let pixels = vec2f(f32(sides & 0xffffu), f32(sides >> 16u));
+    let low = clamp((0.5 * vec2f(least.x, -most.y) + 0.5) * pixels - 1.0, vec2f(0.0), pixels);
+    let high = clamp((0.5 * vec2f(most.x, -least.y) + 0.5) * pixels + 1.0, vec2f(0.0), pixels);
     // The level at which it takes two squares or so a side.
     let squares = max(high.x - low.x, high.y - low.y) / 8.0;
     var dimensions = vec2u(bitcast<u32>(furthest[0]), bitcast<u32>(furthest[1]));

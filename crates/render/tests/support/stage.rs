@@ -52,13 +52,13 @@ impl Stage {
         self.renderer.prepare(&self.device, &self.queue, coat, view, viewpoint).expect("a view")
     }
 
-    pub fn update(&self, coat: &GpuCoat, prepared: &mut PreparedView, view: &View) {
+    pub fn update(&self, prepared: &mut PreparedView, view: &View) {
         let viewpoint = self.viewpoint(view);
-        self.renderer.update(&self.device, &self.queue, coat, prepared, view, &viewpoint).expect("a view");
+        self.renderer.update(&self.device, &self.queue, prepared, view, &viewpoint).expect("a view");
     }
 
     /// Draws a frame over nothing and brings back its bytes: sRGB-encoded premultiplied colour and coverage.
-    pub fn frame(&self, coat: &GpuCoat, view: &PreparedView) -> Vec<u8> {
+    pub fn frame(&self, view: &PreparedView) -> Vec<u8> {
         let target = self.renderer.target();
         let (width, height) = self.size;
         let samples = self.texture(target.colour, target.samples, TextureUsages::COPY_SRC);
@@ -66,8 +66,8 @@ impl Stage {
         let depth = self.texture(target.depth, target.samples, TextureUsages::empty());
         let [sampled, resolved, depth] = [&samples, &pixels, &depth].map(|texture| texture.create_view(&TextureViewDescriptor::default()));
         let mut encoder = self.device.create_command_encoder(&CommandEncoderDescriptor::default());
-        self.renderer.compute(&mut encoder, coat, view);
-        self.pass(&mut encoder, [&sampled, &depth], (target.samples > 1).then_some(&resolved), |pass| self.renderer.draw(pass, coat, view));
+        self.renderer.compute(&mut encoder, view);
+        self.pass(&mut encoder, [&sampled, &depth], (target.samples > 1).then_some(&resolved), |pass| self.renderer.draw(pass, view));
         let stride = (4 * width).next_multiple_of(256);
         let buffer = self.device.create_buffer(&wgpu::BufferDescriptor {
             label: None,
