@@ -158,6 +158,26 @@ fn the_faces_drawn_can_be_read_back() {
 }
 
 #[test]
+fn a_place_of_no_size_shows_nothing() {
+    let (host, renderer, coat) = setting();
+    let view = view(Mat4::IDENTITY, Options::default());
+    let with = |places: &[Mat4]| {
+        let mut crowd = renderer.prepare_crowd(&host.device, &host.queue, &coat, (&view, &world()), 3).unwrap();
+        renderer.update_crowd(&host.device, &host.queue, &mut crowd, (&view, &world()), places).unwrap();
+        let mut encoder = host.encoder();
+        {
+            let mut pass = host.pass(&mut encoder, true, true);
+            renderer.draw_crowd_surface(&mut pass, &crowd);
+            renderer.draw_crowd_shells(&mut pass, &crowd);
+        }
+        host.finish(encoder).unwrap();
+        host.pixels().unwrap()
+    };
+    let nowhere = Mat4::from_translation(Vec3::new(-0.2, 0.1, 0.4)) * Mat4::from_scale(Vec3::ZERO);
+    assert!(with(&[places()[0], nowhere]) == with(&places()[..1]));
+}
+
+#[test]
 fn a_crowd_says_what_it_cannot_hold() {
     let (host, renderer, coat) = setting();
     let view = view(Mat4::IDENTITY, Options::default());

@@ -11,6 +11,7 @@ use pelage_render::{Detail, FinRule, LightingMode, March, Options, Picture, Shad
 
 use support::samples::hair::{Hair, Recipe};
 use support::samples::{Style, coat, light, shapes};
+use support::stage::Stage;
 use support::{SIZE, ball, difference, hair, mean_coverage, picture};
 
 const ASPECT: f32 = SIZE.0 as f32 / SIZE.1 as f32;
@@ -189,6 +190,26 @@ fn levels_meet_whatever_the_options() {
             }
         }
     }
+}
+
+#[test]
+fn blended_images_are_kept_while_nothing_changes_and_no_longer() {
+    let stage = Stage::plain();
+    let coat = stage.upload(&leveled_ball());
+    let at = |level, times| View {
+        options: Options { detail: Detail::Level(level), ..Options::default() },
+        ..View::new(from(times), light(Vec3::new(0.5, 0.8, 0.6)))
+    };
+    let mut prepared = stage.prepare(&coat, &at(0.8, 1.0));
+    let first = stage.frame(&prepared);
+    assert!(stage.frame(&prepared) == first);
+    // Other blends, none, mips that were not seen before, and back.
+    for view in [at(0.9, 1.0), at(1.7, 1.0), at(1.0, 1.0), at(0.9, 60.0), at(0.9, 1.0), at(0.8, 1.0)] {
+        stage.update(&mut prepared, &view);
+        assert!(stage.frame(&prepared) == stage.frame(&stage.prepare(&coat, &view)), "{:?}", view.options.detail);
+    }
+    prepared.remake();
+    assert!(stage.frame(&prepared) == first);
 }
 
 #[test]

@@ -1,13 +1,15 @@
 //! Only what is seen is drawn (K18), and no picture changes by what is left out.
+#![allow(clippy::unwrap_used, reason = "a test may panic")]
 
 mod support;
 
 use glam::Vec3;
 use pelage_coat::{Camera, Coat};
-use pelage_render::{Options, Picture, View};
+use pelage_render::{March, Options, Picture, ShellDepth, Target, View};
 
 use support::samples::{Style, coat, light, shapes};
-use support::{SIZE, ball, hair, picture, twice, view};
+use support::stage::Stage;
+use support::{SIZE, ball, hair, headless, picture, sampled, twice, view};
 
 /// The ball with hair that bends, and is cut ever shorter towards one side.
 fn bent_and_cut() -> Coat {
@@ -61,6 +63,66 @@ fn what_is_left_out_changes_no_pixel() {
                 assert!(some.frame.faces_drawn <= all.frame.faces_drawn);
             }
         }
+    }
+}
+
+#[test]
+fn what_is_left_out_changes_no_pixel_whatever_the_options() {
+    let depths = [ShellDepth::default(), ShellDepth::Tested, ShellDepth::Coverage { threshold: 0.02 }];
+    let marches = [March::default(), March { layers: 4, steps: 1 }, March { layers: 1, steps: 3 }];
+    for (name, coat) in [("bent", bent_and_cut()), ("pair", one_behind_the_other())] {
+        for camera in [cameras()[0], cameras()[2]] {
+            for (shell_depth, march) in depths.into_iter().flat_map(|depth| marches.map(|march| (depth, march))) {
+                let options = Options { shell_depth, march, ..Options::default() };
+                let of = |options| sampled(&coat, &View { options, ..View::new(camera, light(Vec3::new(0.5, 0.8, 0.6))) }, 1);
+                let all = of(Options { culling: false, ..options });
+                for hidden in [false, true] {
+                    let some = of(Options { hidden, ..options });
+                    assert!(some.rgba == all.rgba && some.coverage == all.coverage, "{name}, {shell_depth:?}, {march:?}, hidden {hidden}");
+                    assert!(some.frame.faces_drawn < all.frame.faces_drawn);
+                }
+            }
+        }
+    }
+}
+
+#[test]
+fn what_is_hidden_is_found_in_targets_of_any_kind_and_size() {
+    let pair = one_behind_the_other();
+    let camera = cameras()[0];
+    let view = View::new(camera, light(Vec3::new(0.5, 0.8, 0.6)));
+    let (device, queue) = (headless().device(), headless().queue());
+    for (reversed_depth, samples) in [(true, 1), (true, 4), (false, 1), (false, 4)] {
+        let target = Target { reversed_depth, ..Target::new(wgpu::TextureFormat::Rgba8UnormSrgb, samples) };
+        let mut stage = Stage::on(device, queue, target);
+        let coat = stage.upload(&pair);
+        let mut prepared = stage.prepare(&coat, &view);
+        for size in [SIZE, (48, 100), (33, 9), (128, 96), SIZE] {
+            stage.size = size;
+            stage.update(&mut prepared, &view);
+            let whole = stage.frame(&prepared);
+            let faces = prepared.frame_stats(device, queue).unwrap().faces_drawn;
+            assert!(stage.unhidden_frame(&mut prepared) == whole, "{size:?}, {reversed_depth}, {samples}");
+            let left = prepared.frame_stats(device, queue).unwrap().faces_drawn;
+            // In squares of 8 pixels of so low a picture there is always something far.
+            assert!(left < faces || size.1 < 16, "{size:?}, {reversed_depth}, {samples}: {left} of {faces}");
+            // Anew, it is the same picture: nothing of the size before is left.
+            assert!(stage.frame(&stage.prepare(&coat, &view)) == whole);
+            // Into another depth buffer of the same size, from where the ball behind is seen.
+            let beside = View { camera: Camera { eye: Vec3::new(1.6, 0.3, 0.6), ..camera }, ..view.clone() };
+            stage.update(&mut prepared, &beside);
+            assert!(stage.unhidden_frame(&mut prepared) == stage.frame(&prepared), "{size:?}, {reversed_depth}, {samples}");
+        }
+        // A target of another size than the viewpoint says, as where resolution follows the load.
+        let viewpoint = stage.viewpoint(&view);
+        stage.size = (48, 36);
+        let mut prepared = stage.prepare_from(&coat, &view, &viewpoint);
+        let whole = stage.frame(&prepared);
+        let faces = prepared.frame_stats(device, queue).unwrap().faces_drawn;
+        assert!(stage.unhidden_frame(&mut prepared) == whole);
+        let left = prepared.frame_stats(device, queue).unwrap().faces_drawn;
+        assert!(left < faces, "{reversed_depth}, {samples}: {left} of {faces}");
+        assert_eq!(headless().take_errors(), Vec::<String>::new());
     }
 }
 

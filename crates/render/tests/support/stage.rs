@@ -3,7 +3,7 @@
 
 use glam::{Mat4, Vec4};
 use pelage_coat::Coat;
-use pelage_render::{GpuCoat, PreparedView, Renderer, Target, View, Viewpoint};
+use pelage_render::{DepthBuffer, GpuCoat, PreparedView, Renderer, Target, View, Viewpoint};
 use wgpu::{
     Color, CommandEncoderDescriptor, Device, Extent3d, LoadOp, MapMode, Operations, PollType, Queue, RenderPassColorAttachment,
     RenderPassDepthStencilAttachment, RenderPassDescriptor, StoreOp, TexelCopyBufferInfo, TexelCopyBufferLayout, TextureDescriptor,
@@ -59,15 +59,36 @@ impl Stage {
 
     /// Draws a frame over nothing and brings back its bytes: sRGB-encoded premultiplied colour and coverage.
     pub fn frame(&self, view: &PreparedView) -> Vec<u8> {
+        self.drawn(&mut |encoder, textures| {
+            self.renderer.compute(encoder, view);
+            self.pass(encoder, textures, [true, true], |pass| self.renderer.draw(pass, view));
+        })
+    }
+
+    /// The same in two passes, with the faces that the skin hides left out in between.
+    pub fn unhidden_frame(&self, view: &mut PreparedView) -> Vec<u8> {
+        self.drawn(&mut |encoder, textures| {
+            self.renderer.compute(encoder, view);
+            self.pass(encoder, textures, [true, false], |pass| self.renderer.draw_surface(pass, view));
+            let depth = DepthBuffer { view: &textures.depth, size: self.size };
+            self.renderer.find_hidden(&self.device, &self.queue, encoder, view, depth);
+            self.pass(encoder, textures, [false, true], |pass| {
+                self.renderer.draw_fins(pass, view);
+                self.renderer.draw_shells(pass, view);
+            });
+        })
+    }
+
+    fn drawn(&self, record: &mut dyn FnMut(&mut wgpu::CommandEncoder, &Textures)) -> Vec<u8> {
         let target = self.renderer.target();
         let (width, height) = self.size;
         let samples = self.texture(target.colour, target.samples, TextureUsages::COPY_SRC);
         let pixels = if target.samples > 1 { self.texture(target.colour, 1, TextureUsages::COPY_SRC) } else { samples.clone() };
-        let depth = self.texture(target.depth, target.samples, TextureUsages::empty());
+        let depth = self.texture(target.depth, target.samples, TextureUsages::TEXTURE_BINDING);
         let [sampled, resolved, depth] = [&samples, &pixels, &depth].map(|texture| texture.create_view(&TextureViewDescriptor::default()));
+        let textures = Textures { sampled, resolved: (target.samples > 1).then_some(resolved), depth };
         let mut encoder = self.device.create_command_encoder(&CommandEncoderDescriptor::default());
-        self.renderer.compute(&mut encoder, view);
-        self.pass(&mut encoder, [&sampled, &depth], (target.samples > 1).then_some(&resolved), |pass| self.renderer.draw(pass, view));
+        record(&mut encoder, &textures);
         let stride = (4 * width).next_multiple_of(256);
         let buffer = self.device.create_buffer(&wgpu::BufferDescriptor {
             label: None,
@@ -95,7 +116,8 @@ impl Stage {
             sample_count,
             dimension: TextureDimension::D2,
             format,
-            usage: if sample_count > 1 { TextureUsages::empty() } else { usage } | TextureUsages::RENDER_ATTACHMENT,
+            usage: if sample_count > 1 && usage == TextureUsages::COPY_SRC { TextureUsages::empty() } else { usage }
+                | TextureUsages::RENDER_ATTACHMENT,
             view_formats: &[],
         })
     }
@@ -103,25 +125,32 @@ impl Stage {
     fn pass(
         &self,
         encoder: &mut wgpu::CommandEncoder,
-        [colour, depth]: [&TextureView; 2],
-        resolve_target: Option<&TextureView>,
+        textures: &Textures,
+        [first, last]: [bool; 2],
         draw: impl FnOnce(&mut wgpu::RenderPass<'_>),
     ) {
         let clear_depth = self.renderer.target().clear_depth();
         draw(&mut encoder.begin_render_pass(&RenderPassDescriptor {
             label: None,
             color_attachments: &[Some(RenderPassColorAttachment {
-                view: colour,
+                view: &textures.sampled,
                 depth_slice: None,
-                resolve_target,
-                ops: Operations { load: LoadOp::Clear(Color::TRANSPARENT), store: StoreOp::Store },
+                resolve_target: textures.resolved.as_ref().filter(|_| last),
+                ops: Operations { load: if first { LoadOp::Clear(Color::TRANSPARENT) } else { LoadOp::Load }, store: StoreOp::Store },
             })],
             depth_stencil_attachment: Some(RenderPassDepthStencilAttachment {
-                view: depth,
-                depth_ops: Some(Operations { load: LoadOp::Clear(clear_depth), store: StoreOp::Store }),
+                view: &textures.depth,
+                depth_ops: Some(Operations { load: if first { LoadOp::Clear(clear_depth) } else { LoadOp::Load }, store: StoreOp::Store }),
                 stencil_ops: None,
             }),
             ..RenderPassDescriptor::default()
         }));
     }
+}
+
+/// What a frame is drawn into.
+struct Textures {
+    sampled: TextureView,
+    resolved: Option<TextureView>,
+    depth: TextureView,
 }
