@@ -115,7 +115,7 @@ fn what_is_hidden_is_found_in_targets_of_any_kind_and_size() {
         }
         // A target of another size than the viewpoint says, as where resolution follows the load.
         let viewpoint = stage.viewpoint(&view);
-        stage.size = (48, 36);
+        stage.size = (192, 144);
         let mut prepared = stage.prepare_from(&coat, &view, &viewpoint);
         let whole = stage.frame(&prepared);
         let faces = prepared.frame_stats(device, queue).unwrap().faces_drawn;
