@@ -31,7 +31,7 @@ fn every_level_keeps_opacity_and_mean_colour() -> Result<(), Error> {
     let mut at = |level: &str| Scene::evaluate_with(&mut evaluator, "figure4", &[("picture.detail", level)])?.picture();
     let finest = at("Level(level: 0.0)")?;
     // The outer half of a shell's spacing goes with each level, and with the last all of the fur's height.
-    for (level, colour_bound, coverage_bound) in [("1.0", 0.02, 0.01), ("2.0", 0.04, 0.02), ("3.0", 0.06, 0.04), ("4.0", 0.13, 0.16)] {
+    for (level, colour_bound, coverage_bound) in [("1.0", 0.01, 0.01), ("2.0", 0.02, 0.01), ("3.0", 0.03, 0.02), ("4.0", 0.08, 0.14)] {
         let coarse = at(&format!("Level(level: {level})"))?;
         let (was, is) = (mean_colour(&finest, &coarse), mean_colour(&coarse, &finest));
         let colour = was.iter().zip(is).map(|(was, is)| (is / was - 1.0).abs()).fold(0.0, f64::max);

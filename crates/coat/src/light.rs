@@ -25,6 +25,11 @@ pub struct Lights {
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Irradiance(pub [Vec3; 9]);
 
+impl Lights {
+    /// Most directional lights: whoever draws may refuse more.
+    pub const MOST: usize = 4;
+}
+
 impl Irradiance {
     /// From straight above (y up) and from straight below, in proportion to the height that the normal looks at in between.
     pub fn hemisphere(sky: Vec3, ground: Vec3) -> Self {

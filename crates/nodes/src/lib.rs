@@ -51,7 +51,7 @@ pub use hair::{
     BlockForm, CompressShells, FinDirection, FinImage, GrowStrands, HairStyle, HairUndercoat, LevelsOfDetail, NotStraight, OneLayer,
     OneLayerReport, SampleFin, SampleShells, ShareImages, ShellSpacing,
 };
-pub use light::{EnvironmentNode, LightNode, MOST_LIGHTS};
+pub use light::{EnvironmentNode, LightNode};
 pub use models::{ObjFile, Plane, RoundedDie, Sphere, Torus};
 pub use patches::GrowPatches;
 #[cfg(feature = "gpu")]

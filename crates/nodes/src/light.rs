@@ -10,9 +10,6 @@ use pelage_lighting::Environment;
 
 use crate::shading::linear;
 
-/// So many lights at infinity are drawn.
-pub const MOST_LIGHTS: usize = 4;
-
 /// The light from above where none is asked for.
 const SKY: Colour = Colour([0.62, 0.68, 0.78]);
 /// The light from below where none is asked for.
@@ -53,7 +50,7 @@ impl Evaluate for LightNode {
         let light = Light { direction: direction.as_vec3().normalize_or(Vec3::Y), colour: linear(self.colour) * self.strength as f32 };
         let ambient = Irradiance::hemisphere(self.around(self.sky, SKY), self.around(self.ground, GROUND));
         let lights = joined(self.with.as_deref(), &Lights { directional: vec![light], ambient });
-        if lights.directional.len() > MOST_LIGHTS {
+        if lights.directional.len() > Lights::MOST {
             return Err(TooManyLights { count: lights.directional.len() }.into());
         }
         Ok(lights.into())
@@ -74,7 +71,8 @@ impl LightNode {
 /// A chain of lights too long to draw.
 #[derive(Debug, thiserror::Error)]
 #[error(
-    "this is light {count} of its chain, and at most {MOST_LIGHTS} are drawn; leave one out, or put it into the picture of an Environment"
+    "this is light {count} of its chain, and at most {} are drawn; leave one out, or put it into the picture of an Environment",
+    Lights::MOST
 )]
 struct TooManyLights {
     count: usize,

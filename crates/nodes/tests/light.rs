@@ -62,7 +62,7 @@ fn four_lights_are_drawn_and_the_fifth_is_refused_where_it_is_added() {
         let first = format!("\"{}\": Light()", name(0));
         (1..count).fold(first, |nodes, k| format!("{nodes}, \"{}\": Light(with: \"{}.light\")", name(k), name(k - 1)))
     };
-    assert_eq!(lights(&chain(4)).directional.len(), pelage_nodes::MOST_LIGHTS);
+    assert_eq!(lights(&chain(4)).directional.len(), Lights::MOST);
     let error = lights_in(Path::new("."), &chain(5)).unwrap_err().to_string();
     assert!(error.contains("last") && error.contains("light 5") && error.contains("at most 4"), "{error}");
 }

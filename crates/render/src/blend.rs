@@ -4,14 +4,14 @@ use std::sync::atomic::{AtomicBool, Ordering};
 
 use wgpu::{
     BindGroup, BindGroupLayout, BindGroupLayoutDescriptor, BindingResource, BindingType, Buffer, BufferUsages, ComputePass,
-    ComputePipeline, ComputePipelineDescriptor, Device, Extent3d, PipelineCompilationOptions, PipelineLayoutDescriptor, Queue,
-    ShaderModuleDescriptor, ShaderSource, ShaderStages, StorageTextureAccess, Texture, TextureDescriptor, TextureDimension, TextureFormat,
-    TextureUsages, TextureView, TextureViewDescriptor, TextureViewDimension,
+    ComputePipeline, Device, Extent3d, Queue, ShaderStages, StorageTextureAccess, Texture, TextureDescriptor, TextureDimension,
+    TextureFormat, TextureUsages, TextureView, TextureViewDescriptor, TextureViewDimension,
 };
 
 use crate::GpuTextures;
 use crate::bindings::bind;
 use crate::buffers::room;
+use crate::compute::compute_pipeline;
 use crate::pipelines::{entry, texture, uniform};
 use crate::schedule::{MOST_SHELLS, Slot};
 use crate::shader::assemble;
@@ -49,23 +49,8 @@ impl Blender {
         };
         let entries = [entry(0, compute, texture(TextureViewDimension::D2Array)), entry(1, compute, written), entry(2, compute, uniform())];
         let layout = device.create_bind_group_layout(&BindGroupLayoutDescriptor { label: Some("blend"), entries: &entries });
-        let module = device.create_shader_module(ShaderModuleDescriptor {
-            label: Some("blend"),
-            source: ShaderSource::Wgsl(assemble(&[include_str!("shaders/opacity.wgsl"), include_str!("shaders/blend.wgsl")], &[]).into()),
-        });
-        let pipeline_layout = device.create_pipeline_layout(&PipelineLayoutDescriptor {
-            label: Some("blend"),
-            bind_group_layouts: &[Some(&layout)],
-            immediate_size: 0,
-        });
-        let pipeline = device.create_compute_pipeline(&ComputePipelineDescriptor {
-            label: Some("blend"),
-            layout: Some(&pipeline_layout),
-            module: &module,
-            entry_point: Some("blend"),
-            compilation_options: PipelineCompilationOptions::default(),
-            cache: None,
-        });
+        let source = assemble(&[include_str!("shaders/opacity.wgsl"), include_str!("shaders/blend.wgsl")], &[]);
+        let pipeline = compute_pipeline(device, source, "blend", &[&layout]);
         Self { layout, pipeline }
     }
 }

@@ -179,6 +179,6 @@ impl Frame {
 /// What the shaders are compiled for.
 fn variant(coat: &GpuCoat, view: &View, schedule: &Schedule, crowd: bool) -> Variant {
     let grown = coat.shortest * view.options.length_scale >= GROWTH_LENGTH;
-    let variant = Variant::new(view, coat.traits, schedule.is_shared(), grown);
+    let variant = Variant::new(view, coat.traits, schedule.is_thickened(), grown);
     if crowd { variant.instanced() } else { variant }
 }

@@ -72,6 +72,7 @@ mod background;
 mod bindings;
 mod blend;
 mod buffers;
+mod compute;
 mod counts;
 mod crowd;
 mod error;

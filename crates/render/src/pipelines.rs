@@ -4,6 +4,7 @@ use std::collections::HashMap;
 use std::sync::{Mutex, PoisonError};
 
 use glam::Vec3;
+use pelage_coat::Lights;
 use wgpu::{
     BindGroupLayout, BindGroupLayoutDescriptor, BindGroupLayoutEntry, BindingType, BlendState, BufferBindingType, ColorTargetState,
     ColorWrites, Device, Face, FragmentState, PipelineCompilationOptions, PipelineLayout, PipelineLayoutDescriptor, PrimitiveState,
@@ -13,11 +14,10 @@ use wgpu::{
 
 use crate::pack::TileVertex;
 use crate::shader::assemble;
-use crate::uniforms::MOST_LIGHTS;
 use crate::{LightingMode, ShellDepth, Target, View};
 
 /// What all drawing passes begin with.
-pub(crate) const SHARED: [&str; 5] = [
+pub(crate) const PRELUDE: [&str; 5] = [
     include_str!("shaders/opacity.wgsl"),
     include_str!("shaders/common.wgsl"),
     include_str!("shaders/bindings.wgsl"),
@@ -46,7 +46,7 @@ pub(crate) struct Variant {
     /// Hair is cut off somewhere.
     cut: bool,
     /// Shells are more or less than their image.
-    shared: bool,
+    thickened: bool,
     /// A hair shades what is under it.
     hair_shadow: bool,
     /// The first light is looked up on a map.
@@ -89,8 +89,8 @@ pub(crate) struct CoatTraits {
 }
 
 impl Variant {
-    /// For a view of a coat; `shared` as the schedule says, `grown` as the coat's shortest hair does.
-    pub(crate) fn new(view: &View, coat: CoatTraits, shared: bool, grown: bool) -> Self {
+    /// For a view of a coat; `thickened` as the schedule says, `grown` as the coat's shortest hair does.
+    pub(crate) fn new(view: &View, coat: CoatTraits, thickened: bool, grown: bool) -> Self {
         let options = &view.options;
         let lighting = match options.lighting {
             LightingMode::PerPatch => Lit::Patch,
@@ -110,13 +110,13 @@ impl Variant {
             map: per_pixel && options.direction_map && coat.direction_map,
             bent: coat.bent,
             cut: coat.cut,
-            shared,
+            thickened,
             hair_shadow: options.hair_shadow > 0.0,
             shadow_map: options.shadows.is_some(),
             march: options.march.layers > 1 || options.march.steps > 1,
             grown,
             sky: view.lights.ambient.0[2..].iter().all(|&term| term == Vec3::ZERO),
-            lights: view.lights.directional.len().min(MOST_LIGHTS) as u32,
+            lights: view.lights.directional.len().min(Lights::MOST) as u32,
             instanced: false,
         }
     }
@@ -136,7 +136,7 @@ impl Variant {
             ("MAP", self.map),
             ("BENT", self.bent),
             ("CUT", self.cut),
-            ("SHARED", self.shared),
+            ("THICKENED", self.thickened),
             ("HAIR_SHADOW", self.hair_shadow),
             ("GROWN", self.grown),
             ("KEPT", self.cut || !self.grown),
@@ -154,7 +154,7 @@ impl Variant {
         format!(
             "const LIGHTS: u32 = {}u;\nconst SAMPLES: u32 = {samples}u;\n{}",
             self.lights,
-            assemble(&[SHARED[0], SHARED[1], SHARED[2], SHARED[3], SHARED[4], pass], &self.flags())
+            assemble(&[PRELUDE[0], PRELUDE[1], PRELUDE[2], PRELUDE[3], PRELUDE[4], pass], &self.flags())
         )
     }
 }
@@ -345,7 +345,7 @@ fn coat_entries() -> [BindGroupLayoutEntry; 5] {
 
 #[cfg(test)]
 mod tests {
-    use pelage_coat::{Camera, Irradiance, Lights};
+    use pelage_coat::{Camera, Irradiance};
 
     use super::*;
 
@@ -358,7 +358,7 @@ mod tests {
         view.options.lighting = LightingMode::Formula;
         view.lights.ambient.0[4] = Vec3::X;
         let all = CoatTraits { bent: true, cut: true, direction_map: true };
-        assert_eq!(Variant::new(&view, all, true, false).flags(), ["PIXEL", "MAP", "BENT", "CUT", "SHARED", "KEPT", "SPLIT", "AXES"]);
+        assert_eq!(Variant::new(&view, all, true, false).flags(), ["PIXEL", "MAP", "BENT", "CUT", "THICKENED", "KEPT", "SPLIT", "AXES"]);
         view.options.direction_map = false;
         assert_eq!(Variant::new(&view, all, false, true).flags(), ["PIXEL", "BENT", "CUT", "GROWN", "KEPT", "SPLIT"]);
     }

@@ -3,13 +3,13 @@
 use bytemuck::{Pod, Zeroable};
 use wgpu::{
     BindGroup, BindGroupLayout, BindGroupLayoutDescriptor, BindingResource, BindingType, Buffer, BufferUsages, ComputePass,
-    ComputePipeline, ComputePipelineDescriptor, Device, PipelineCompilationOptions, PipelineLayoutDescriptor, Queue,
-    ShaderModuleDescriptor, ShaderSource, ShaderStages, TextureSampleType, TextureView, TextureViewDimension,
+    ComputePipeline, Device, Queue, ShaderStages, TextureSampleType, TextureView, TextureViewDimension,
 };
 
 use crate::Target;
 use crate::bindings::bind;
 use crate::buffers::{array, room};
+use crate::compute::compute_pipeline;
 use crate::pipelines::{entry, storage, uniform};
 use crate::shader::assemble;
 
@@ -57,23 +57,7 @@ impl PyramidBuilder {
 }
 
 fn pipeline(device: &Device, layout: &BindGroupLayout, flags: &[&str]) -> ComputePipeline {
-    let module = device.create_shader_module(ShaderModuleDescriptor {
-        label: Some("pyramid"),
-        source: ShaderSource::Wgsl(assemble(&[include_str!("shaders/pyramid.wgsl")], flags).into()),
-    });
-    let layout = device.create_pipeline_layout(&PipelineLayoutDescriptor {
-        label: Some("pyramid"),
-        bind_group_layouts: &[Some(layout)],
-        immediate_size: 0,
-    });
-    device.create_compute_pipeline(&ComputePipelineDescriptor {
-        label: Some("pyramid"),
-        layout: Some(&layout),
-        module: &module,
-        entry_point: Some("reduce"),
-        compilation_options: PipelineCompilationOptions::default(),
-        cache: None,
-    })
+    compute_pipeline(device, assemble(&[include_str!("shaders/pyramid.wgsl")], flags), "reduce", &[layout])
 }
 
 /// The squares of one depth buffer.

@@ -208,7 +208,7 @@ impl Schedule {
     }
 
     /// Whether a shell is more or less than its image.
-    pub(crate) fn is_shared(&self) -> bool {
+    pub(crate) fn is_thickened(&self) -> bool {
         self.shells.iter().any(|shell| shell.opacity != 1.0 || shell.layers != 1.0)
     }
 }

@@ -2,12 +2,12 @@
 
 use bytemuck::{Pod, Zeroable};
 use wgpu::{
-    BindGroup, BindGroupLayout, BindGroupLayoutDescriptor, Buffer, BufferUsages, ComputePass, ComputePipeline, ComputePipelineDescriptor,
-    Device, PipelineCompilationOptions, PipelineLayoutDescriptor, Queue, ShaderModuleDescriptor, ShaderSource, ShaderStages,
+    BindGroup, BindGroupLayout, BindGroupLayoutDescriptor, Buffer, BufferUsages, ComputePass, ComputePipeline, Device, Queue, ShaderStages,
 };
 
 use crate::bindings::bind;
 use crate::buffers::{array, room};
+use crate::compute::compute_pipeline;
 use crate::pipelines::{entry, storage, uniform};
 use crate::pyramid::no_pyramid;
 use crate::shader::assemble;
@@ -64,7 +64,7 @@ impl Selectors {
         let hidden: &[&str] = if target.reversed_depth { &["HIDDEN", "REVERSED"] } else { &["HIDDEN"] };
         let faces = include_str!("shaders/select_faces.wgsl");
         let pack = |flags: &[&str], name| (assemble(&[shared[0], include_str!("shaders/select.wgsl")], flags), name, vec![&pack_layout]);
-        let pipeline = |(source, name, layouts)| pipeline(device, source, name, layouts);
+        let pipeline = |(source, name, layouts): (String, &str, Vec<&BindGroupLayout>)| compute_pipeline(device, source, name, &layouts);
         Self {
             sum: pipeline(pack(&[], "sum_groups")),
             faces: [pipeline(pick(faces, &[])), pipeline(pack(&["FACES"], "pack"))],
@@ -76,21 +76,6 @@ impl Selectors {
             pack_layout,
         }
     }
-}
-
-fn pipeline(device: &Device, source: String, name: &str, layouts: Vec<&BindGroupLayout>) -> ComputePipeline {
-    let module = device.create_shader_module(ShaderModuleDescriptor { label: Some(name), source: ShaderSource::Wgsl(source.into()) });
-    let layouts: Vec<Option<&BindGroupLayout>> = layouts.into_iter().map(Some).collect();
-    let layout =
-        device.create_pipeline_layout(&PipelineLayoutDescriptor { label: Some(name), bind_group_layouts: &layouts, immediate_size: 0 });
-    device.create_compute_pipeline(&ComputePipelineDescriptor {
-        label: Some(name),
-        layout: Some(&layout),
-        module: &module,
-        entry_point: Some(name),
-        compilation_options: PipelineCompilationOptions::default(),
-        cache: None,
-    })
 }
 
 /// What one view picks of one coat.

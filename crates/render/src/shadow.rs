@@ -14,7 +14,7 @@ use wgpu::{
 };
 
 use crate::buffers::room;
-use crate::pipelines::{CoatTraits, Pipelines, SHARED, shell_buffers};
+use crate::pipelines::{CoatTraits, PRELUDE, Pipelines, shell_buffers};
 use crate::schedule::{MOST_SHELLS, Schedule};
 use crate::shader::assemble;
 use crate::{GpuCoat, View};
@@ -228,7 +228,7 @@ impl CasterCache {
 impl Casters {
     fn new(device: &Device, pipelines: &Pipelines, traits: CoatTraits) -> Self {
         let flags: Vec<&str> = [("BENT", traits.bent), ("CUT", traits.cut)].iter().filter_map(|&(name, on)| on.then_some(name)).collect();
-        let files = [SHARED[0], SHARED[1], SHARED[2], include_str!("shaders/shadow.wgsl"), include_str!("shaders/shadow_cast.wgsl")];
+        let files = [PRELUDE[0], PRELUDE[1], PRELUDE[2], include_str!("shaders/shadow.wgsl"), include_str!("shaders/shadow_cast.wgsl")];
         let module = device.create_shader_module(ShaderModuleDescriptor {
             label: Some("shadow"),
             source: ShaderSource::Wgsl(assemble(&files, &flags).into()),

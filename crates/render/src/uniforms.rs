@@ -2,6 +2,7 @@
 
 use bytemuck::{Pod, Zeroable};
 use glam::{DVec3, Vec3};
+use pelage_coat::Lights;
 use pelage_lighting::{Axis, DIFFUSIVITY};
 
 use crate::schedule::Schedule;
@@ -12,9 +13,6 @@ use crate::{FinRule, LightingMode, RenderError, ShellDepth, View, Viewpoint};
 /// meet without a step.
 pub(crate) const GROWTH_LENGTH: f32 = 1e-3;
 
-/// Most directional lights of a view.
-pub(crate) const MOST_LIGHTS: usize = 4;
-
 #[repr(C)]
 #[derive(Clone, Copy, Debug, Pod, Zeroable)]
 pub(crate) struct FrameUniform {
@@ -22,7 +20,7 @@ pub(crate) struct FrameUniform {
     eye: [f32; 4],
     toward_eye: [f32; 4],
     /// Direction and colour.
-    lights: [[[f32; 4]; 2]; MOST_LIGHTS],
+    lights: [[[f32; 4]; 2]; Lights::MOST],
     irradiance: [[f32; 4]; 9],
     ambient: [f32; 4],
     diffuse: [f32; 4],
@@ -42,8 +40,8 @@ impl FrameUniform {
     pub(crate) fn new(view: &View, viewpoint: &Viewpoint, schedule: &Schedule, light: &LightView) -> Result<Self, RenderError> {
         let (hair, shadow, facing) = (&view.shading.hair, &view.shading.self_shadow, &view.shading.facing);
         let (options, lights) = (&view.options, &view.lights.directional);
-        if lights.len() > MOST_LIGHTS {
-            return Err(RenderError::Lights { found: lights.len(), limit: MOST_LIGHTS });
+        if lights.len() > Lights::MOST {
+            return Err(RenderError::Lights { found: lights.len(), limit: Lights::MOST });
         }
         let density = (shadow.density.max(0.0) as f32).min(1e30);
         let uniform = Self {

@@ -83,7 +83,7 @@ impl ShellStack {
 }
 
 /// Says of a new level's shells, the same for all mips, where their images will be and at what height they are lit: where the coarsest mip, which knows the
-/// coverage of whole layers, shows their hair. What fine mips hide in the same texel is seen from aside, as one layer moves against the next.
+/// coverage of whole layers, shows their hair aslant: along the normal one sees deeper into the shade than from aside. What fine mips hide in the same texel is seen from aside, as one layer moves against the next.
 fn settle_shells(mips: &mut [Vec<Layer>], images: u32) {
     let heights: Vec<f32> = mips.last().map_or(Vec::new(), |layers| layers.iter().map(Layer::light_height).collect());
     for layers in mips {
@@ -111,7 +111,8 @@ struct Layer {
     shell: Shell,
     colour: Plane,
     directions: Option<Plane>,
-    /// Height times what is seen of it from outside, texel by texel.
+    /// What is seen of it from outside, aslant, texel by texel, and that times the height.
+    seen: Vec<f32>,
     lit: Vec<f32>,
     /// No image of the stack shows it yet.
     is_new: bool,
@@ -125,8 +126,9 @@ fn layers(stack: &ShellStack, mip: usize) -> Vec<Layer> {
     let layer = |&shell: &Shell| {
         let colour = shown(mip, &shell);
         let directions = map.map(|map| weighted(map, shell.image, &colour));
-        let lit = colour.texels.iter().map(|texel| texel[3] * shell.light_height).collect();
-        Layer { shell, colour, directions, lit, is_new: false }
+        let seen: Vec<f32> = colour.texels.iter().map(|texel| aslant(texel[3])).collect();
+        let lit = seen.iter().map(|seen| seen * shell.light_height).collect();
+        Layer { shell, colour, directions, seen, lit, is_new: false }
     };
     shells.par_iter().map(layer).collect()
 }
@@ -136,8 +138,11 @@ impl Layer {
     fn of_pair(pair: &[Self]) -> Self {
         let mut layer = pair[0].clone();
         let Some(upper) = pair.get(1) else { return layer };
-        for (lit, (above, texel)) in layer.lit.iter_mut().zip(upper.lit.iter().zip(&upper.colour.texels)) {
-            *lit = above + *lit * (1.0 - texel[3]);
+        for (lit, (above, seen)) in layer.lit.iter_mut().zip(upper.lit.iter().zip(&upper.seen)) {
+            *lit = above + *lit * (1.0 - seen);
+        }
+        for (seen, above) in layer.seen.iter_mut().zip(&upper.seen) {
+            *seen = above + *seen * (1.0 - above);
         }
         layer.colour.cover(&upper.colour);
         if let (Some(below), Some(above)) = (&mut layer.directions, &upper.directions) {
@@ -152,10 +157,15 @@ impl Layer {
         layer
     }
 
-    /// The mean height of what is seen from outside; its own where nothing is.
+    /// The mean height of what is seen aslant from outside, as most of a coat is; its own where nothing is.
     fn light_height(&self) -> f32 {
-        let seen: f64 = self.colour.texels.iter().map(|texel| f64::from(texel[3])).sum();
+        let seen: f64 = self.seen.iter().map(|&seen| f64::from(seen)).sum();
         let lit: f64 = self.lit.iter().map(|&lit| f64::from(lit)).sum();
         if seen > 0.0 { ((lit / seen) as f32).clamp(0.0, 1.0) } else { self.shell.height }
     }
+}
+
+/// What of an opacity is met by a ray that crosses layers as slantedly as rays of sight do on the mean, at N·V = 2/3.
+fn aslant(alpha: f32) -> f32 {
+    1.0 - (1.0 - alpha).max(0.0).powf(1.5)
 }

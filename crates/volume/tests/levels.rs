@@ -115,10 +115,10 @@ fn light_is_taken_where_the_visible_hair_is() {
     let bald = bald.with_levels().unwrap();
     assert_eq!(bald.levels[2][0].light_height, 0.0);
     assert!((bald.levels[1][1].light_height - 2.0 / 3.0).abs() < 1e-6);
-    // Between: the mean over what is seen, by hand, of whole layers.
+    // Between: the mean over what is seen, by hand, of whole layers, crossed at N·V = 2/3.
     let stack = chain(4, MipRule::Coverage);
     let coarsest = stack.mips.last().unwrap();
-    let alpha = |shell: u32| f64::from(coarsest.texel(shell, 0, 0).unwrap()[3]) / 255.0;
+    let alpha = |shell: u32| 1.0 - (1.0 - f64::from(coarsest.texel(shell, 0, 0).unwrap()[3]) / 255.0).powf(1.5);
     let (below, above) = (alpha(2) * (1.0 - alpha(3)), alpha(3));
     let wanted = (below * (2.0 / 3.0) + above) / (below + above);
     assert!((f64::from(stack.levels[1][1].light_height) - wanted).abs() < 1e-5);

@@ -164,7 +164,7 @@ fn first_light(v: Vertex, direction: vec3f, toward_eye: vec3f, depth: f32) -> ve
 // A shell's image at a place of the tile.
 fn hair_at(tile: vec2f, place_among: u32, image: u32, blur: f32) -> vec4f {
     let hair = textureSampleBias(shell_images, tile_sampler, tile, image, blur);
-#if SHARED
+#if THICKENED
     return thickened_hair(hair, shells[place_among].opacity, shells[place_among].layers);
 #else
     return hair;
