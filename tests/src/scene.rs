@@ -119,6 +119,14 @@ impl Scene {
         self.only("coat")
     }
 
+    /// What its camera frames.
+    ///
+    /// # Errors
+    /// Where it makes none.
+    pub fn framing(&self) -> Result<Arc<Framing>, Error> {
+        self.only("camera")
+    }
+
     /// What the bunny's picture was drawn with: all defaults but for the step blur. A test that leans on this first shows that the parts
     /// make the graph's own picture.
     ///
@@ -128,7 +136,7 @@ impl Scene {
         let picture = self.picture()?;
         let aspect = picture.width as f32 / picture.height as f32;
         let view = View {
-            camera: self.only::<Framing>("camera")?.camera(coat.bounds(), aspect),
+            camera: self.framing()?.camera(coat.bounds(), aspect),
             lights: Lights::clone(&*self.only::<Lights>("light")?),
             shading: *self.only::<Shading>("shading")?,
             options: Options { step_blur: 0.8, ..Options::default() },
