@@ -205,8 +205,8 @@ pub struct Options {
     pub march: March,
     /// Whether faces that cannot be seen are left out (K18). No picture changes by it.
     pub culling: bool,
-    /// Whether [`crate::Offscreen`] also leaves out the shells of faces that the skin hides, which splits its pass in two; in passes of your own call
-    /// [`crate::Renderer::find_hidden`].
+    /// Whether [`crate::Offscreen`] also leaves out the shells of faces that the skin hides, which splits its pass in three: surface, fins, shells. In passes
+    /// of your own two are enough: call [`crate::Renderer::find_hidden`] after the one that draws the surface.
     pub hidden: bool,
     /// Multiplies the length of all fur; 0 and up, 0 is bald.
     pub length_scale: f32,

@@ -52,7 +52,7 @@ impl Bench<'_> {
         contenders.push(Contender::plain(self.headless, stage, "floor: same draw", None, |pass| floor.draw(pass)));
         contenders.extend(furs.iter().map(|(case, fur)| Contender::ours(self.headless, stage, fur, case.name, case.redraw)));
         if hidden {
-            contenders.push(Contender::hidden(self.headless, stage, &mut two_passes, "hidden faces left out, in two passes"));
+            contenders.push(Contender::hidden(self.headless, stage, &mut two_passes, "hidden faces left out, fins and shells in a second pass"));
         }
         print(&race(self.headless, stage, contenders, self.rounds, [1, 0]), ["of same draw", "of default"]);
     }

@@ -57,7 +57,7 @@ impl<'a> Contender<'a> {
         Self { name: name.into(), record: Box::new(record), fragments, triangles: Some(fur.triangles(headless)), times: Vec::new() }
     }
 
-    /// Ours in two passes, with what the skin hides left out in between.
+    /// Ours in two passes, surface and the rest, with what the skin hides left out in between.
     pub fn hidden(headless: &'a Headless, stage: &'a Stage, fur: &'a mut Fur, name: &str) -> Self {
         let record = move |encoder: &mut CommandEncoder| fur.record_hidden(headless, stage, encoder);
         Self { name: name.into(), record: Box::new(record), fragments: None, triangles: None, times: Vec::new() }
