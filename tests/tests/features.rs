@@ -50,8 +50,11 @@ const FEATURES: &[(&str, &str, &str, &str)] = &[
     ("L22 images in blocks", "blocks", "coat.shells", "\"sampled.shells\""),
     ("K5 images shared", "shared", "shells.count", "20"),
     ("K4 outer shells closer together", "shared", "shells.spacing", "Even"),
+    ("K4 shells spaced by a power", "spacing", "power.spacing", "Even"),
+    ("K4 shells spaced exponentially", "spacing", "exponential.spacing", "Even"),
     ("L26 several layers in one shell", "marched", "picture.march", "1"),
     ("N9 the volume between layers", "marched", "picture.march_steps", "1"),
+    ("L9 fins of other hair than the shells'", "guard", "fin.strands", "\"down.strands\""),
     ("L9 an artist's fin", "drawn", "fin.path", "graphs/images/plain.png"),
 ];
 
