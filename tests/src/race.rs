@@ -4,44 +4,59 @@ use pelage_coat::Coat;
 use pelage_render::{DepthBuffer, GpuCoat, Headless, Options, PreparedView, View, Viewpoint};
 use wgpu::{CommandEncoder, RenderPass};
 
-use super::stage::{SIZE, Stage};
+use crate::Error;
+use crate::stage::{SIZE, Stage};
 
 /// One way of drawing.
 pub struct Contender<'a> {
+    /// What it is called.
     pub name: String,
     record: Box<dyn FnMut(&mut CommandEncoder) + 'a>,
+    /// Samples that passed the tests, where they were counted.
     pub fragments: Option<u64>,
+    /// Triangles submitted, where they were counted.
     pub triangles: Option<u64>,
     times: Vec<f64>,
 }
 
 /// What a race found out about a contender.
 pub struct Finish {
+    /// What it is called.
     pub name: String,
+    /// The least time of a frame, in milliseconds.
     pub least: f64,
+    /// The median.
     pub median: f64,
     /// The medians of the ratios to two others, round by round: what both had to share cancels.
     pub ratios: [f64; 2],
+    /// Samples that passed the tests, where they were counted.
     pub fragments: Option<u64>,
+    /// Triangles submitted, where they were counted.
     pub triangles: Option<u64>,
 }
 
 impl<'a> Contender<'a> {
     /// Whatever records itself into one pass.
+    ///
+    /// # Errors
+    /// A device that does not answer.
     pub fn plain(
         headless: &Headless,
         stage: &'a Stage,
         name: &str,
         triangles: Option<u64>,
         draw: impl Fn(&mut RenderPass<'_>) + 'a,
-    ) -> Self {
-        let fragments = Some(stage.fragments(headless, &|_| (), &draw));
+    ) -> Result<Self, Error> {
+        let fragments = Some(stage.fragments(headless, &|_| (), &draw)?);
         let record = move |encoder: &mut CommandEncoder| draw(&mut stage.pass(encoder, (true, true), None));
-        Self { name: name.into(), record: Box::new(record), fragments, triangles, times: Vec::new() }
+        Ok(Self { name: name.into(), record: Box::new(record), fragments, triangles, times: Vec::new() })
     }
 
-    /// Ours.
-    pub fn ours(headless: &Headless, stage: &'a Stage, fur: &'a Fur, name: &str, redraw_shadows: bool) -> Self {
+    /// Ours in one pass; with the shadow map drawn anew each frame, as if the light moved, or not.
+    ///
+    /// # Errors
+    /// A device that does not answer.
+    pub fn ours(headless: &Headless, stage: &'a Stage, fur: &'a Fur, name: &str, redraw_shadows: bool) -> Result<Self, Error> {
         let compute = move |encoder: &mut CommandEncoder| {
             if redraw_shadows {
                 fur.view.redraw_shadows();
@@ -49,12 +64,12 @@ impl<'a> Contender<'a> {
             stage.renderer.compute(encoder, &fur.coat, &fur.view);
         };
         let draw = move |pass: &mut RenderPass<'_>| stage.renderer.draw(pass, &fur.coat, &fur.view);
-        let fragments = Some(stage.fragments(headless, &compute, &draw));
+        let fragments = Some(stage.fragments(headless, &compute, &draw)?);
         let record = move |encoder: &mut CommandEncoder| {
             compute(encoder);
             draw(&mut stage.pass(encoder, (true, true), None));
         };
-        Self { name: name.into(), record: Box::new(record), fragments, triangles: Some(fur.triangles(headless)), times: Vec::new() }
+        Ok(Self { name: name.into(), record: Box::new(record), fragments, triangles: Some(fur.triangles(headless)?), times: Vec::new() })
     }
 
     /// Ours in two passes, surface and the rest, with what the skin hides left out in between.
@@ -66,38 +81,53 @@ impl<'a> Contender<'a> {
 
 /// A coat and a view of it on the device.
 pub struct Fur {
+    /// The coat.
     pub coat: GpuCoat,
+    /// The view.
     pub view: PreparedView,
 }
 
 impl Fur {
-    pub fn new(headless: &Headless, stage: &Stage, coat: &Coat, view: &View) -> Self {
+    /// Uploads a coat and prepares a view.
+    ///
+    /// # Errors
+    /// Those of [`pelage_render::Renderer::upload`] and [`pelage_render::Renderer::prepare`].
+    pub fn new(headless: &Headless, stage: &Stage, coat: &Coat, view: &View) -> Result<Self, Error> {
         let (device, queue) = (headless.device(), headless.queue());
         let renderer = &stage.renderer;
-        let coat = renderer.upload(device, queue, coat).expect("a whole coat");
-        let view = renderer.prepare(device, queue, &coat, view, &Viewpoint::of(&view.camera, SIZE)).expect("a finite view");
-        Self { coat, view }
+        let coat = renderer.upload(device, queue, coat)?;
+        let view = renderer.prepare(device, queue, &coat, view, &Viewpoint::of(&view.camera, SIZE))?;
+        Ok(Self { coat, view })
     }
 
-    /// The same coat with other options.
-    pub fn with(headless: &Headless, stage: &Stage, coat: &Coat, view: &View, options: Options) -> Self {
+    /// The same with other options than the view's.
+    ///
+    /// # Errors
+    /// As there.
+    pub fn with(headless: &Headless, stage: &Stage, coat: &Coat, view: &View, options: Options) -> Result<Self, Error> {
         Self::new(headless, stage, coat, &View { options, ..view.clone() })
     }
 
-    /// The faces whose shells are drawn.
-    pub fn faces(&self, headless: &Headless, stage: &Stage) -> Vec<[u32; 3]> {
-        stage.time(headless, &mut |encoder| stage.renderer.compute(encoder, &self.coat, &self.view));
-        self.view.shell_faces(headless.device(), headless.queue(), &self.coat).expect("the device answers")
+    /// The faces whose shells are drawn, as patch vertices.
+    ///
+    /// # Errors
+    /// A device that does not answer.
+    pub fn faces(&self, headless: &Headless, stage: &Stage) -> Result<Vec<[u32; 3]>, Error> {
+        stage.time(headless, &mut |encoder| stage.renderer.compute(encoder, &self.coat, &self.view))?;
+        Ok(self.view.shell_faces(headless.device(), headless.queue(), &self.coat)?)
     }
 
     /// The faces left where what the skin hides is left out, too.
-    pub fn unhidden_faces(&mut self, headless: &Headless, stage: &Stage) -> Vec<[u32; 3]> {
-        stage.time(headless, &mut |encoder| self.record_hidden(headless, stage, encoder));
-        self.view.shell_faces(headless.device(), headless.queue(), &self.coat).expect("the device answers")
+    ///
+    /// # Errors
+    /// A device that does not answer.
+    pub fn unhidden_faces(&mut self, headless: &Headless, stage: &Stage) -> Result<Vec<[u32; 3]>, Error> {
+        stage.time(headless, &mut |encoder| self.record_hidden(headless, stage, encoder))?;
+        Ok(self.view.shell_faces(headless.device(), headless.queue(), &self.coat)?)
     }
 
-    fn triangles(&self, headless: &Headless) -> u64 {
-        self.view.frame_stats(headless.device(), headless.queue(), &self.coat).expect("the device answers").triangles
+    fn triangles(&self, headless: &Headless) -> Result<u64, Error> {
+        Ok(self.view.frame_stats(headless.device(), headless.queue(), &self.coat)?.triangles)
     }
 
     fn record_hidden(&mut self, headless: &Headless, stage: &Stage, encoder: &mut CommandEncoder) {
@@ -113,42 +143,40 @@ impl Fur {
 }
 
 /// Runs so many rounds after two that do not count; the ratios are to the contenders at the places `to`.
-pub fn race(headless: &Headless, stage: &Stage, mut contenders: Vec<Contender<'_>>, rounds: usize, to: [usize; 2]) -> Vec<Finish> {
+///
+/// # Errors
+/// A device that does not answer, or a validation error on the way.
+pub fn race(
+    headless: &Headless,
+    stage: &Stage,
+    mut contenders: Vec<Contender<'_>>,
+    rounds: usize,
+    to: [usize; 2],
+) -> Result<Vec<Finish>, Error> {
     for round in 0..rounds + 2 {
         for contender in &mut contenders {
-            let ms = stage.time(headless, &mut contender.record);
+            let ms = stage.time(headless, &mut contender.record)?;
             if round >= 2 {
                 contender.times.push(ms);
             }
         }
     }
+    headless.check()?;
     let ratio =
         |contender: &Contender<'_>, to: usize| median(contender.times.iter().zip(&contenders[to].times).map(|(a, b)| a / b).collect());
-    contenders
-        .iter()
-        .map(|contender| Finish {
-            name: contender.name.clone(),
-            least: contender.times.iter().copied().fold(f64::INFINITY, f64::min),
-            median: median(contender.times.clone()),
-            ratios: to.map(|to| ratio(contender, to)),
-            fragments: contender.fragments,
-            triangles: contender.triangles,
-        })
-        .collect()
+    let finish = |contender: &Contender<'_>| Finish {
+        name: contender.name.clone(),
+        least: contender.times.iter().copied().fold(f64::INFINITY, f64::min),
+        median: median(contender.times.clone()),
+        ratios: to.map(|to| ratio(contender, to)),
+        fragments: contender.fragments,
+        triangles: contender.triangles,
+    };
+    Ok(contenders.iter().map(finish).collect())
 }
 
+/// The median of some times; no number of none.
 fn median(mut times: Vec<f64>) -> f64 {
     times.sort_by(f64::total_cmp);
-    times[times.len() / 2]
-}
-
-/// Prints them under two headings for the ratios.
-pub fn print(finishes: &[Finish], ratios: [&str; 2]) {
-    println!("{:44} {:>8} {:>8} {:>14} {:>14} {:>10} {:>10}", "", "least ms", "median", ratios[0], ratios[1], "fragments", "triangles");
-    let count = |count: Option<u64>| count.map_or("–".into(), |count| count.to_string());
-    for finish in finishes {
-        let Finish { name, least, median, ratios, fragments, triangles } = finish;
-        let [first, second] = ratios;
-        println!("{name:44} {least:8.1} {median:8.1} {first:14.2} {second:14.2} {:>10} {:>10}", count(*fragments), count(*triangles));
-    }
+    times.get(times.len() / 2).copied().unwrap_or(f64::NAN)
 }
