@@ -5,6 +5,7 @@ mod markdown;
 mod nodes;
 mod pages;
 mod pictures;
+mod plot;
 
 use clap::ValueEnum;
 use mdbook_driver::MDBook;
@@ -24,6 +25,7 @@ pub(crate) fn run(place: &Place, what: Option<What>) -> Result<()> {
     nodes::write(place)?;
     if what == Some(What::Pictures) {
         pictures::draw(place)?;
+        plot::draw(place)?;
     }
     check_sources(place)?;
     build(place)?;
@@ -41,7 +43,8 @@ pub(crate) fn verify(place: &Place) -> Result<()> {
 /// All that can be seen without building.
 fn check_sources(place: &Place) -> Result<()> {
     let mut faults = pages::faults(&place.at("book/src"))?;
-    faults.extend(pictures::faults(place));
+    faults.extend(pictures::faults(place)?);
+    faults.extend(plot::faults(place)?);
     faults.extend(links::faults(place)?);
     if faults.is_empty() { Ok(()) } else { Err(Failure::faults("the book does not hold together", &faults)) }
 }
