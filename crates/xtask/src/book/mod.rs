@@ -16,8 +16,10 @@ use crate::place::Place;
 /// What `cargo book` makes besides the pages.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
 pub(crate) enum What {
-    /// Draw the book's pictures anew, each from its saved graph.
+    /// Draw the book's pictures anew, each from its saved graph, and its plots.
     Pictures,
+    /// Draw its plots alone anew, from the figures that benchmarks wrote.
+    Plots,
 }
 
 /// Makes the node reference anew, the pictures if they are asked for, and builds the book into `book/book`.
@@ -25,6 +27,8 @@ pub(crate) fn run(place: &Place, what: Option<What>) -> Result<()> {
     nodes::write(place)?;
     if what == Some(What::Pictures) {
         pictures::draw(place)?;
+    }
+    if what.is_some() {
         plot::draw(place)?;
     }
     check_sources(place)?;

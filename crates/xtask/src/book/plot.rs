@@ -27,7 +27,8 @@ struct Frame {
     times: f64,
     pixels: String,
     shells: u32,
-    ms: f64,
+    /// Its time over that of all shells from once the distance.
+    ratio: f64,
 }
 
 /// Draws the plot anew.
@@ -40,7 +41,7 @@ pub(crate) fn draw(place: &Place) -> Result<()> {
 pub(crate) fn faults(place: &Place) -> Result<Vec<String>> {
     let wanted = svg(&read(place)?)?;
     let same = fs::read_to_string(place.at(PLOT)).is_ok_and(|there| there.lines().eq(wanted.lines()));
-    Ok(if same { Vec::new() } else { vec![format!("{PLOT} is not the plot of {MEASURED}: draw it with `cargo book pictures`")] })
+    Ok(if same { Vec::new() } else { vec![format!("{PLOT} is not the plot of {MEASURED}: draw it with `cargo book plots`")] })
 }
 
 fn read(place: &Place) -> Result<Vec<Frame>> {
@@ -49,17 +50,17 @@ fn read(place: &Place) -> Result<Vec<Frame>> {
     parse(&text).map_err(|cause| Failure::caused(MEASURED, cause))
 }
 
-/// `model,times,pixels,shells,level,least_ms,…`, a line for each frame under a heading.
+/// `model,times,pixels,shells,level,of_nearest,…`, a line for each frame under a heading.
 fn parse(text: &str) -> std::result::Result<Vec<Frame>, String> {
     let lines = text.lines().enumerate().skip(1).filter(|(_, line)| !line.trim().is_empty());
     let frames = lines.map(|(number, line)| {
         let words: Vec<&str> = line.split(',').collect();
         let frame = || {
-            let [model, times, pixels, shells, _, ms, ..] = words.as_slice() else { return None };
-            let (times, ms) = (times.parse().ok()?, ms.parse().ok()?);
-            Some(Frame { model: (*model).to_owned(), times, pixels: (*pixels).to_owned(), shells: shells.parse().ok()?, ms })
+            let [model, times, pixels, shells, _, ratio, ..] = words.as_slice() else { return None };
+            let (times, ratio) = (times.parse().ok()?, ratio.parse().ok()?);
+            Some(Frame { model: (*model).to_owned(), times, pixels: (*pixels).to_owned(), shells: shells.parse().ok()?, ratio })
         };
-        frame().ok_or_else(|| format!("line {}: {line:?} is not model,times,pixels,shells,level,least_ms", number + 1))
+        frame().ok_or_else(|| format!("line {}: {line:?} is not model,times,pixels,shells,level,of_nearest", number + 1))
     });
     frames
         .collect::<std::result::Result<Vec<Frame>, String>>()
@@ -70,7 +71,7 @@ fn parse(text: &str) -> std::result::Result<Vec<Frame>, String> {
 fn svg(frames: &[Frame]) -> Result<String> {
     let mut models: Vec<&str> = frames.iter().map(|frame| frame.model.as_str()).collect();
     models.dedup();
-    let most = frames.iter().map(|frame| frame.ms).fold(1.0, f64::max);
+    let least = frames.iter().map(|frame| frame.ratio).fold(1.0, f64::min);
     let mut text = String::new();
     {
         let failed = |cause: String| Failure::caused(PLOT, cause);
@@ -78,7 +79,7 @@ fn svg(frames: &[Frame]) -> Result<String> {
         root.fill(&WHITE).map_err(|cause| failed(cause.to_string()))?;
         for (panel, model) in root.split_evenly((1, models.len())).iter().zip(&models) {
             let own: Vec<&Frame> = frames.iter().filter(|frame| frame.model == *model).collect();
-            draw_panel(panel, model, &own, most).map_err(|cause| failed(cause.to_string()))?;
+            draw_panel(panel, model, &own, least).map_err(|cause| failed(cause.to_string()))?;
         }
         root.present().map_err(|cause| failed(cause.to_string()))?;
     }
@@ -87,25 +88,25 @@ fn svg(frames: &[Frame]) -> Result<String> {
 
 type Drawn<T> = std::result::Result<T, DrawingAreaErrorKind<<SVGBackend<'static> as DrawingBackend>::ErrorType>>;
 
-/// Milliseconds over distance, both by powers of two, with the number of shells where it changes.
-fn draw_panel(panel: &DrawingArea<SVGBackend<'_>, plotters::coord::Shift>, model: &str, frames: &[&Frame], most: f64) -> Drawn<()> {
+/// Frame time over distance, both by powers of two, with the number of shells where it changes.
+fn draw_panel(panel: &DrawingArea<SVGBackend<'_>, plotters::coord::Shift>, model: &str, frames: &[&Frame], least: f64) -> Drawn<()> {
     let furthest = frames.iter().map(|frame| frame.times).fold(1.0, f64::max);
     let mut chart = ChartBuilder::on(panel)
         .caption(model, ("sans-serif", 16))
         .margin(12)
         .x_label_area_size(36)
         .y_label_area_size(44)
-        .build_cartesian_2d(Octaves(0.0, furthest.log2()), Octaves(1.5, most.log2().ceil()))?;
+        .build_cartesian_2d(Octaves(0.0, furthest.log2()), Octaves(least.log2().floor(), 0.2))?;
     chart
         .configure_mesh()
         .x_desc("times the distance")
-        .y_desc("milliseconds a frame")
+        .y_desc("frame time, over the first")
         .label_style(("sans-serif", 13))
         .light_line_style(TRANSPARENT)
         .draw()?;
     for (pixels, label, colour) in CURVES {
         let curve: Vec<&&Frame> = frames.iter().filter(|frame| frame.pixels == pixels).collect();
-        let points = || curve.iter().map(|frame| (frame.times.log2(), frame.ms.log2()));
+        let points = || curve.iter().map(|frame| (frame.times.log2(), frame.ratio.log2()));
         chart
             .draw_series(LineSeries::new(points(), colour.stroke_width(2)))?
             .label(label)
@@ -115,7 +116,7 @@ fn draw_panel(panel: &DrawingArea<SVGBackend<'_>, plotters::coord::Shift>, model
         let mut before = curve.first().map_or(0, |frame| frame.shells);
         let fewer = curve.iter().filter(|frame| frame.shells != std::mem::replace(&mut before, frame.shells)).map(|frame| {
             let style = ("sans-serif", 12).into_font().color(&colour);
-            Text::new(frame.shells.to_string(), (frame.times.log2() - 0.08, frame.ms.log2() - 0.12), style)
+            Text::new(frame.shells.to_string(), (frame.times.log2() - 0.08, frame.ratio.log2() - 0.1), style)
         });
         chart.draw_series(fewer.collect::<Vec<_>>())?;
     }
@@ -150,7 +151,7 @@ impl Ranged for Octaves {
 
 impl ValueFormatter<f64> for Octaves {
     fn format_ext(&self, value: &f64) -> String {
-        format!("{}", value.exp2().round())
+        if *value < 0.0 { format!("1/{}", (-value).exp2().round()) } else { format!("{}", value.exp2().round()) }
     }
 }
 
@@ -158,14 +159,14 @@ impl ValueFormatter<f64> for Octaves {
 mod tests {
     use super::*;
 
-    const TEXT: &str = "model,times,pixels,shells,level,least_ms,fragments\na ball,1.000,all,15,0.00,40.0,9\na ball,2.000,all,15,0.00,20.0,3\na ball,1.000,1,7,1.00,30.0,9\n\
-        a ball,2.000,1,3,2.00,8.0,1\n";
+    const TEXT: &str = "model,times,pixels,shells,level,of_nearest,least_ms\na ball,1.000,all,15,0.00,1.0,9\na ball,2.000,all,15,0.00,0.5,3\na ball,1.000,1,7,1.00,0.75,9\n\
+        a ball,2.000,1,3,2.00,0.2,1\n";
 
     #[test]
     fn every_frame_is_read_and_drawn() {
         let frames = parse(TEXT).unwrap();
         assert_eq!(frames.len(), 4);
-        assert_eq!(frames[3], Frame { model: "a ball".into(), times: 2.0, pixels: "1".into(), shells: 3, ms: 8.0 });
+        assert_eq!(frames[3], Frame { model: "a ball".into(), times: 2.0, pixels: "1".into(), shells: 3, ratio: 0.2 });
         let drawn = svg(&frames).unwrap();
         assert_eq!(drawn.matches("<circle").count(), 4);
         assert!(drawn.contains("a ball") && drawn.contains("times the distance"));
@@ -181,8 +182,10 @@ mod tests {
 
     #[test]
     fn an_axis_is_marked_at_powers_of_two() {
-        let axis = Octaves(1.5, 4.0);
-        assert_eq!(axis.key_points(5).iter().map(|point| axis.format_ext(point)).collect::<Vec<_>>(), ["4", "8", "16"]);
-        assert_eq!([1.5, 4.0].map(|value| axis.map(&value, (10, 110))), [10, 110]);
+        let axis = Octaves(-2.5, 1.0);
+        let marks: Vec<f64> = (0..4).map(|mark| f64::from(mark) - 2.0).collect();
+        assert_eq!(marks.iter().map(|mark| axis.format_ext(mark)).collect::<Vec<_>>(), ["1/4", "1/2", "1", "2"]);
+        assert_eq!(axis.range(), -2.5..1.0);
+        assert_eq!([-2.5, 1.0].map(|value| axis.map(&value, (10, 110))), [10, 110]);
     }
 }
