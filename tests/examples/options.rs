@@ -1,14 +1,17 @@
-//! What each option of drawing costs and how far its picture is from a more exact one: the tables of the book.
+//! What each option of drawing costs and how far its picture is from a more exact one: the tables of the book, as the book has them.
 //!
-//! `cargo run --release -p pelage-tests --example options`; `-- WORD…` for the groups alone whose titles have one of the words in them. Times are the least of the rounds, as a ratio to the exact picture's.
+//! `cargo run --release -p pelage-tests --example options`; `-- WORD…` for the groups alone whose titles have one of the words in them. The frames of a group take turns; a time is
+//! the least of the rounds over the least of the option that the group names. Fragments are samples that pass the tests, all of a pixel's counted. Bytes are those of the textures.
 #![allow(clippy::print_stdout, reason = "a program for a person at a terminal")]
 
 use std::sync::Arc;
 
 use pelage_accuracy::{DEFAULT_PIXELS_PER_DEGREE, Image, flip};
+use pelage_coat::Coat;
 use pelage_graph::Evaluator;
 use pelage_nodes::{FrameReport, Picture};
-use pelage_tests::{Error, Scene};
+use pelage_render::Headless;
+use pelage_tests::{Contender, Error, Fur, Scene, Stage, gpu, race};
 
 /// What is set in a graph.
 type Set = &'static [(&'static str, &'static str)];
@@ -22,10 +25,14 @@ struct Group {
     /// What the exact picture has set beside.
     exact: (&'static str, Set),
     options: &'static [(&'static str, Set)],
+    /// Whose time the others' are given by: the default, or what is nearest to it here.
+    beside: &'static str,
+    /// Whether the shadow map is drawn anew each frame, as if the light moved.
+    redraw: bool,
 }
 
 /// How often each frame is measured.
-const ROUNDS: &str = "5";
+const ROUNDS: usize = 7;
 
 const SIZE: (&str, &str) = ("picture.size", "(640, 480)");
 
@@ -45,6 +52,8 @@ const GROUPS: &[Group] = &[
             ("one shell of all layers", &[("picture.march", "32"), ("picture.march_steps", "1")]),
             ("8 shells, their own layers alone", &[("shells.layers", "9"), ("picture.march", "1"), ("picture.march_steps", "1")]),
         ],
+        beside: "33 shells, one layer each",
+        redraw: false,
     },
     Group {
         title: "level of detail, near",
@@ -58,6 +67,8 @@ const GROUPS: &[Group] = &[
             ("the skin alone", &[("picture.detail", "Level(level: 4.0)")]),
             ("half way to half", &[("picture.detail", "Level(level: 0.75)")]),
         ],
+        beside: "the finest",
+        redraw: false,
     },
     Group {
         title: "level of detail by distance, four times as far",
@@ -71,6 +82,8 @@ const GROUPS: &[Group] = &[
             ("1 pixel", &[("picture.detail", "Spacing(pixels: 1.0)")]),
             ("2 pixels", &[("picture.detail", "Spacing(pixels: 2.0)")]),
         ],
+        beside: "0.25 pixels (default)",
+        redraw: false,
     },
     Group {
         title: "light on curls",
@@ -84,6 +97,8 @@ const GROUPS: &[Group] = &[
             ("at vertices", &[("picture.lighting", "Vertices")]),
             ("by patch", &[("picture.lighting", "Patches")]),
         ],
+        beside: "at vertices",
+        redraw: false,
     },
     Group {
         title: "shadows",
@@ -98,6 +113,8 @@ const GROUPS: &[Group] = &[
             ("no map", &[("picture.shadows", "false")]),
             ("no hair shadow", &[("picture.hair_shadow", "0.0")]),
         ],
+        beside: "map of 1024²",
+        redraw: true,
     },
     Group {
         title: "depth and blending",
@@ -112,6 +129,8 @@ const GROUPS: &[Group] = &[
             ("everything submitted", &[("picture.culling", "false")]),
             ("what the skin hides left out", &[("picture.hidden", "true")]),
         ],
+        beside: "depth written",
+        redraw: false,
     },
     Group {
         title: "fins",
@@ -125,6 +144,8 @@ const GROUPS: &[Group] = &[
             ("NVIDIA's rule, six quads", &[("picture.fins_on", "Silhouettes(threshold: 0.2)")]),
             ("none", &[("picture.fins", "false")]),
         ],
+        beside: "one quad",
+        redraw: false,
     },
     Group {
         title: "one image for straight hair",
@@ -132,6 +153,8 @@ const GROUPS: &[Group] = &[
         common: &[],
         exact: ("all 32 images", &[("shells.tolerance", "0.0"), ("shells.otherwise", "Keep")]),
         options: &[("one image and a ramp", &[])],
+        beside: "all 32 images",
+        redraw: false,
     },
     Group {
         title: "twenty images",
@@ -143,42 +166,106 @@ const GROUPS: &[Group] = &[
             ("shown by twenty", &[("shells.count", "20")]),
             ("shown by sixty, evenly spaced", &[("shells.spacing", "Even")]),
         ],
+        beside: "shown by sixty shells",
+        redraw: false,
+    },
+    Group {
+        title: "where shells stand",
+        graph: "ball",
+        common: &[("shells.layers", "16"), ("coat.length", "0.12")],
+        exact: ("128 shells, evenly spaced", &[("shells.layers", "128")]),
+        options: &[
+            ("evenly", &[]),
+            ("power 1.5", &[("shells.spacing", "Power(power: 1.5)")]),
+            ("power 2", &[("shells.spacing", "Power(power: 2.0)")]),
+            ("exponential, rate 1", &[("shells.spacing", "Exponential(rate: 1.0)")]),
+            ("exponential, rate 3", &[("shells.spacing", "Exponential(rate: 3.0)")]),
+        ],
+        beside: "evenly",
+        redraw: false,
     },
 ];
 
 fn main() -> Result<(), Error> {
     let words: Vec<String> = std::env::args().skip(1).collect();
     let wanted = |group: &&Group| words.is_empty() || words.iter().any(|word| group.title.contains(word.as_str()));
-    GROUPS.iter().filter(wanted).try_for_each(print)
+    let headless = gpu()?.headless();
+    let stages = [1, 4].map(|samples| Stage::new(headless, samples));
+    GROUPS.iter().filter(wanted).try_for_each(|group| print(group, headless, &stages))
 }
 
-/// A picture, and the least that its frame took, in milliseconds.
+/// A picture, the coat on it, and how it was drawn.
 struct Drawn {
+    name: &'static str,
     picture: Arc<Picture>,
-    least: f64,
+    coat: Arc<Coat>,
+    report: Arc<FrameReport>,
 }
 
-fn print(group: &Group) -> Result<(), Error> {
+fn print(group: &Group, headless: &Headless, stages: &[Stage; 2]) -> Result<(), Error> {
     let mut evaluator = pelage_nodes::evaluator(2 << 30);
+    let all = [&[group.exact][..], group.options].concat();
+    let drawn = all.into_iter().map(|(name, set)| draw(&mut evaluator, group, name, set)).collect::<Result<Vec<Drawn>, Error>>()?;
+    let costs = measure(headless, stages, &drawn, group.redraw)?;
+    let base = drawn.iter().position(|drawn| drawn.name == group.beside).ok_or("the option beside which times are given is not there")?;
     println!("\n{} ({}.ron), against: {}", group.title, group.graph, group.exact.0);
-    println!("{:36} {:>7} {:>9} {:>9} {:>9} {:>8} {:>8}", "", "shells", "fins", "triangles", "of exact", "FLIP", "p99");
-    let exact = draw(&mut evaluator, group, group.exact.1)?;
-    for (name, set) in group.options {
-        let drawn = draw(&mut evaluator, group, set)?;
-        let (mean, p99) = difference(&exact.picture, &drawn.picture)?;
-        let frame = &drawn.picture.frame;
-        let ratio = drawn.least / exact.least;
-        println!("{name:36} {:7} {:9} {:9} {ratio:9.2} {mean:8.4} {p99:8.4}", frame.shells_drawn, frame.fins_drawn, frame.triangles);
+    println!(
+        "| | shells | fins | triangles | fragments | bytes | time | FLIP, mean | 99th percentile |\n|---|---|---|---|---|---|---|---|---|"
+    );
+    for (drawn_so, cost) in drawn.iter().zip(&costs) {
+        let frame = &drawn_so.picture.frame;
+        let counts = [frame.shells_drawn.into(), frame.fins_drawn.into(), frame.triangles].map(thousands).join(" | ");
+        let fragments = cost.fragments.map_or("–".into(), thousands);
+        let (bytes, time) = (thousands(bytes(&drawn_so.coat) as u64), cost.least / costs[base].least);
+        let (mean, p99) = difference(&drawn[0].picture, &drawn_so.picture)?;
+        println!("| {} | {counts} | {fragments} | {bytes} | {time:.2} | {mean:.4} | {p99:.4} |", drawn_so.name);
     }
+    println!("times beside: {}, {:.1} ms", group.beside, costs[base].least);
     Ok(())
 }
 
-fn draw(evaluator: &mut Evaluator, group: &Group, set: Set) -> Result<Drawn, Error> {
-    let overrides: Vec<(&str, &str)> =
-        [SIZE, ("picture.repeat", ROUNDS)].into_iter().chain(group.common.iter().copied()).chain(set.iter().copied()).collect();
+fn draw(evaluator: &mut Evaluator, group: &Group, name: &'static str, set: Set) -> Result<Drawn, Error> {
+    let overrides: Vec<(&str, &str)> = [SIZE].iter().chain(group.common).chain(set).copied().collect();
     let scene = Scene::evaluate_measured(evaluator, group.graph, &overrides)?;
-    let report = scene.only::<FrameReport>("frame")?;
-    Ok(Drawn { picture: scene.picture()?, least: report.times.map_or(f64::NAN, |times| times.ms_min) })
+    Ok(Drawn { name, picture: scene.picture()?, coat: scene.coat()?, report: scene.only::<FrameReport>("frame")? })
+}
+
+/// Bytes of a coat's textures.
+fn bytes(coat: &Coat) -> usize {
+    coat.shells.byte_size() + coat.shells.direction_bytes() + coat.fin.as_ref().map_or(0, |fin| fin.byte_size())
+}
+
+/// What a frame costs.
+struct Cost {
+    /// Milliseconds, the least of the rounds.
+    least: f64,
+    /// Samples that passed the tests, every sample of a pixel counted; none where passes are split.
+    fragments: Option<u64>,
+}
+
+/// The frames of one group in turn, in races of those with as many samples a pixel.
+fn measure(headless: &Headless, stages: &[Stage; 2], drawn: &[Drawn], redraw: bool) -> Result<Vec<Cost>, Error> {
+    let stage_of = |drawn: &Drawn| &stages[usize::from(drawn.report.samples > 1)];
+    let fur = |drawn: &Drawn| Fur::new(headless, stage_of(drawn), &drawn.coat, &drawn.report.view);
+    let mut furs = drawn.iter().map(fur).collect::<Result<Vec<Fur>, Error>>()?;
+    let mut contenders = Vec::new();
+    for (drawn, fur) in drawn.iter().zip(&mut furs) {
+        let stage = stage_of(drawn);
+        contenders.push(if drawn.report.view.options.hidden {
+            Contender::hidden(headless, stage, fur, drawn.name)
+        } else {
+            Contender::ours(headless, stage, fur, drawn.name, redraw)?
+        });
+    }
+    let finishes = race(headless, &stages[1], contenders, ROUNDS, [0, 0])?;
+    Ok(finishes.into_iter().map(|finish| Cost { least: finish.least, fragments: finish.fragments }).collect())
+}
+
+/// A count with a comma between thousands.
+fn thousands(count: u64) -> String {
+    let digits = count.to_string();
+    let groups: Vec<&str> = digits.as_bytes().rchunks(3).rev().map(|group| str::from_utf8(group).unwrap_or_default()).collect();
+    groups.join(",")
 }
 
 /// FLIP's mean and 99th percentile where either picture has fur.

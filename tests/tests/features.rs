@@ -1,7 +1,9 @@
 //! Each feature of the sources that a saved graph uses is seen in its picture: with the feature changed or switched off, the golden notices.
 #![allow(clippy::print_stdout, reason = "the distance that each feature makes")]
 
-use pelage_tests::{Bounds, Error, Golden, Scene, VARIANTS};
+use std::collections::BTreeSet;
+
+use pelage_tests::{Bounds, Error, Golden, Scene, VARIANTS, repository};
 
 /// The feature's id in the design, the graph or variant that uses it, and what takes it away.
 const FEATURES: &[(&str, &str, &str, &str)] = &[
@@ -53,9 +55,13 @@ const FEATURES: &[(&str, &str, &str, &str)] = &[
     ("L22 straight hair as one image", "straight", "coat.shells", "\"sampled.shells\""),
     ("L22 images in blocks", "blocks", "coat.shells", "\"sampled.shells\""),
     ("K5 images shared", "shared", "shells.count", "20"),
+    ("K3 hair thins towards the tips", "bunny", "hair.length_variation", "0.0"),
     ("K4 outer shells closer together", "shared", "shells.spacing", "Even"),
+    ("K4 shells spaced by a power", "spacing", "power.spacing", "Even"),
+    ("K4 shells spaced exponentially", "spacing", "exponential.spacing", "Even"),
     ("L26 several layers in one shell", "marched", "picture.march", "1"),
     ("N9 the volume between layers", "marched", "picture.march_steps", "1"),
+    ("L9 fins of other hair than the shells'", "guard", "fin.strands", "\"down.strands\""),
     ("L9 an artist's fin", "drawn", "fin.path", "graphs/images/plain.png"),
 ];
 
@@ -74,4 +80,36 @@ fn each_feature_is_seen() -> Result<(), Error> {
         }
     }
     if unseen.is_empty() { Ok(()) } else { Err(format!("not seen: {unseen:?}").into()) }
+}
+
+/// The book's list: every graph, test and page that it names is there, and what is to be seen in a picture is in the list above.
+#[test]
+fn the_books_list_is_true() -> Result<(), Error> {
+    let book = repository().join("book/src");
+    let text = std::fs::read_to_string(book.join("features.md"))?;
+    let tried: BTreeSet<&str> = FEATURES.iter().flat_map(|(feature, ..)| feature.split([' ', ','])).collect();
+    let mut faults = Vec::new();
+    let mut rows = 0;
+    for line in text.lines().filter(|line| line.starts_with("| ") && !line.starts_with("| id")) {
+        let cells: Vec<&str> = line.trim_matches('|').split(" | ").map(str::trim).collect();
+        let [ids, _, graphs, tests, pages] = cells.as_slice() else { return Err(format!("not five cells: {line}").into()) };
+        let missing = |what: &str, path: &std::path::Path| (!path.is_file()).then(|| format!("{ids}: no {what} {}", path.display()));
+        faults.extend(quoted(graphs).filter_map(|graph| missing("graph", &repository().join(format!("graphs/{graph}.ron")))));
+        faults.extend(quoted(tests).filter_map(|test| missing("test", &repository().join(test))));
+        faults.extend(pages.split("](").skip(1).filter_map(|rest| missing("page", &book.join(rest.split(')').next()?))));
+        if tests.contains("*picture*") && !ids.split(", ").any(|id| tried.contains(id)) {
+            faults.push(format!("{ids}: nothing is taken away"));
+        }
+        if quoted(tests).next().is_none() && !tests.contains("*picture*") || !pages.contains("](") {
+            faults.push(format!("{ids}: no test or no page"));
+        }
+        rows += 1;
+    }
+    assert!(rows > 20, "{rows} rows");
+    if faults.is_empty() { Ok(()) } else { Err(faults.join("\n").into()) }
+}
+
+/// What stands between backticks.
+fn quoted(text: &str) -> impl Iterator<Item = &str> {
+    text.split('`').skip(1).step_by(2)
 }

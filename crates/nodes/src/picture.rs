@@ -45,6 +45,10 @@ pub struct FrameReport {
     pub adapter: AdapterSummary,
     /// Width and height, in pixels.
     pub size: (u32, u32),
+    /// Samples a pixel.
+    pub samples: u32,
+    /// From where, in what light, which parts of the coat and how.
+    pub view: View,
     /// What was drawn.
     pub stats: FrameStats,
     /// How long a frame takes, if it was to be measured.
@@ -229,8 +233,8 @@ pub struct RenderImage {
     /// Texels along a side of the shadow map.
     #[param(default = 1024, range = 16..=16384, unit = "texels", effect = "more: finer shadows; memory and fragments go with its square")]
     pub shadow_size: u32,
-    /// Samples a pixel: 1, or 4 for smooth edges.
-    #[param(default = 4, range = 1..=4, unit = "samples", effect = "4: smooth edges for about half as much time again")]
+    /// Samples a pixel: 1, or 4 for smooth edges; no others are the same on every adapter, and 2 and 3 are refused.
+    #[param(default = 4, range = 1..=4, unit = "samples", effect = "4: smooth edges; on an adapter in software a frame takes about twice the time")]
     pub samples: u32,
     /// How much finer than its short side a slanted footprint of the texture is filtered.
     #[param(default = 1, range = 1..=16, unit = "ratio", effect = "more: crisper at a slant, up to as many fetches")]
@@ -258,7 +262,8 @@ impl Evaluate for RenderImage {
         let picture = offscreen.render(&coat, &view, &background)?;
         let measured = cx.wants("frame") && self.repeat > 0;
         let times = if measured { Some(offscreen.time(&coat, &view, &background, self.repeat)?) } else { None };
-        let frame = FrameReport { adapter: gpu.headless().summary().clone(), size: self.size, stats: picture.frame, times };
+        let adapter = gpu.headless().summary().clone();
+        let frame = FrameReport { adapter, size: self.size, samples: self.samples, view, stats: picture.frame, times };
         Ok(RenderImageOutputs { image: Some(Arc::new(picture)), frame: Some(Arc::new(frame)) })
     }
 }

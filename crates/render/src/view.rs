@@ -207,8 +207,8 @@ pub struct Options {
     pub march: March,
     /// Whether faces that cannot be seen are left out (K18). No picture changes by it.
     pub culling: bool,
-    /// Whether [`crate::Offscreen`] also leaves out the shells of faces that the skin hides, which splits its pass in two; in passes of your own call
-    /// [`crate::Renderer::find_hidden`].
+    /// Whether [`crate::Offscreen`] also leaves out the shells of faces that the skin hides, which splits its pass in three: surface, fins, shells. In passes
+    /// of your own two are enough: call [`crate::Renderer::find_hidden`] after the one that draws the surface.
     pub hidden: bool,
     /// Multiplies the length of all fur; 0 and up, 0 is bald.
     pub length_scale: f32,
@@ -225,8 +225,8 @@ pub struct Options {
     pub hair_shadow: f32,
     /// Shadows cast in the first light, by a map; without it only the self-shadow darkens fur, towards the skin.
     pub shadows: Option<ShadowOptions>,
-    /// How many times finer than its short side a slanted footprint is filtered; 1 (off) to 16. Costs up to as many fetches;
-    /// with 4, lavapipe took 3.4 times as long for a frame of one sample a pixel, and with four samples 70 times.
+    /// How many times finer than its short side a slanted footprint is filtered; 1 (off) to 16. Costs up to as many fetches, and by far the most of all
+    /// options in software: the book's page of speed says how much.
     pub anisotropy: u16,
 }
 

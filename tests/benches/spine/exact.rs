@@ -17,7 +17,7 @@ use wgpu::{
 };
 
 use super::floor::{buffer, frame_values};
-use super::stage::SIZE;
+use pelage_tests::SIZE;
 
 const SHADER: &str = "
 struct Frame { clip: mat4x4f, step: f32, unused: vec3f };

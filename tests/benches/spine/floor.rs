@@ -207,7 +207,7 @@ impl FullScreen {
 
 /// The projection, the step from shell to shell, the threshold of opacity, and room to a multiple of four.
 pub fn frame_values(coat: &Coat, view: &View) -> Vec<f32> {
-    let aspect = super::stage::SIZE.0 as f32 / super::stage::SIZE.1 as f32;
+    let aspect = pelage_tests::SIZE.0 as f32 / pelage_tests::SIZE.1 as f32;
     let mut values = vec![0.0; 20];
     values[..16].copy_from_slice(&view.camera.view_projection(aspect).to_cols_array());
     values[16] = 1.0 / (coat.shells.layers() - 1) as f32;

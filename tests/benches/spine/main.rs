@@ -7,31 +7,28 @@
 //! - The *exact visible set* of triangles (`exact.rs`), and the fragments that it makes.
 //!
 //! `cargo bench -p pelage-tests --bench spine`; `-- ROUNDS` for another number of rounds than 20, `-- SECTION …` for some of `stages`,
-//! `floors`, `exact`, `fewer`, `far`, `options`. Models: the bunny as shipped, and `t1_bunny_5000` of
+//! `floors`, `exact`, `fewer`, `far`, `options`. `-- far --write FILE` also writes what `far` measures as CSV, from which `cargo book pictures` draws
+//! the book's plot: `book/src/measured/distance.csv`. Models: the bunny as shipped, and `t1_bunny_5000` of
 //! `$PELAGE_MODELS` where that is set, else a ball of 5,120 faces.
 #![allow(clippy::print_stdout, clippy::expect_used, reason = "a benchmark prints and may panic")]
 #![allow(unreachable_pub, reason = "modules of a program")]
 
+mod distance;
 mod exact;
 mod floor;
 mod options;
 mod plain;
-mod race;
 mod scenes;
-mod stage;
 
 use std::time::Instant;
 
-use pelage_coat::{Background, Camera, Coat};
-use pelage_render::{Detail, Headless, Offscreen, Options, PassTimes, Target, View};
-use wgpu::TextureFormat;
+use pelage_coat::{Background, Coat};
+use pelage_render::{Headless, Offscreen, PassTimes, View};
+use pelage_tests::{Contender, Finish, Fur, SIZE, Scene, Stage, race};
 
 use floor::{Floor, FullScreen};
-use pelage_tests::Scene;
 use plain::Plain;
-use race::{Contender, Finish, Fur, print, race};
 use scenes::{Scenes, Textures};
-use stage::{SIZE, Stage};
 
 fn main() {
     let arguments: Vec<String> = std::env::args().skip(1).collect();
@@ -40,7 +37,8 @@ fn main() {
     let wanted = |section: &str| !named || arguments.iter().any(|a| a == section);
     let headless = pelage_tests::gpu().expect("an adapter").headless();
     println!("{} at {} × {}, {rounds} rounds", headless.summary().name, SIZE.0, SIZE.1);
-    let stages = [1, 4].map(|samples| Stage::new(headless, Target::new(TextureFormat::Rgba8UnormSrgb, samples)));
+    let stages = [1, 4].map(|samples| Stage::new(headless, samples));
+    let mut far = Vec::new();
     for model in scenes::models().expect("models") {
         let mut scenes = Scenes::new(&model);
         let start = Instant::now();
@@ -64,13 +62,18 @@ fn main() {
         }
         if wanted("far") {
             let levels = scenes.coat(Textures { through: &["LevelsOfDetail"], ..Textures::default() }).expect("a coat");
-            bench.far(&levels, &model.name);
+            far.extend(bench.far(&levels, &model.name));
         }
         if wanted("options") {
             bench.options(&coat, &mut scenes, &model.name);
         }
     }
     headless.check().expect("no validation error");
+    if let Some(file) = arguments.iter().skip_while(|a| *a != "--write").nth(1) {
+        let file = pelage_tests::repository().join(file);
+        std::fs::write(&file, distance::csv(&far)).expect("a file that can be written");
+        println!("\n{}", file.display());
+    }
 }
 
 /// What can be asked for by name; without names, all.
@@ -102,25 +105,29 @@ impl Bench<'_> {
         Floor::new(self.headless.device(), self.headless.queue(), stage.target, coat, &self.view, faces)
     }
 
+    fn race(&self, stage: &Stage, contenders: Vec<Contender<'_>>, to: [usize; 2]) -> Vec<Finish> {
+        race(self.headless, stage, contenders, self.rounds, to).expect("the device answers")
+    }
+
     /// Ours beside the floors and the plain renderer.
     fn beside_floors(&self, coat: &Coat, samples: u32, title: &str) {
         let stage = self.stage(samples);
         let (device, queue) = (self.headless.device(), self.headless.queue());
-        let fur = Fur::new(self.headless, stage, coat, &self.view);
-        let floor = self.floor(stage, coat, &fur.faces(self.headless, stage));
+        let fur = Fur::new(self.headless, stage, coat, &self.view).expect("a whole coat");
+        let floor = self.floor(stage, coat, &fur.faces(self.headless, stage).expect("the device answers"));
         let plain = Plain::new(device, queue, stage.target, coat, &self.view);
-        let ours = Contender::ours(self.headless, stage, &fur, "ours (default)", false);
+        let ours = Contender::ours(self.headless, stage, &fur, "ours (default)", false).expect("the device answers");
         let count = (ours.fragments.unwrap_or(0) as f64 / f64::from(SIZE.0 * SIZE.1 * samples)).round().max(1.0) as u32;
         let full = FullScreen::new(device, queue, stage.target, coat, count);
         let drawn = ours.triangles;
-        let contenders = vec![
-            ours,
+        let others = [
             Contender::plain(self.headless, stage, "floor: same draw", drawn, |pass| floor.draw(pass)),
             Contender::plain(self.headless, stage, "plain renderer", Some(plain.triangles()), |pass| plain.draw(pass)),
             Contender::plain(self.headless, stage, &format!("{count} full screens"), Some(u64::from(count)), |pass| full.draw(pass)),
         ];
+        let contenders = std::iter::once(ours).chain(others.map(|other| other.expect("the device answers"))).collect();
         println!("\n{title}, {samples} samples a pixel");
-        print(&race(self.headless, stage, contenders, self.rounds, [1, 2]), ["of same draw", "of plain"]);
+        print(&self.race(stage, contenders, [1, 2]), ["of same draw", "of plain"]);
         let PassTimes { compute, surface, fins, shells } = self.passes(coat, &self.view, samples);
         println!("ours, passes apart: compute {compute:.1} ms, surface {surface:.1}, fins {fins:.1}, shells {shells:.1}");
     }
@@ -136,9 +143,9 @@ impl Bench<'_> {
     /// How near what is submitted is to what can be seen.
     fn beside_exact_set(&self, coat: &Coat) {
         let stage = self.stage(1);
-        let mut fur = Fur::new(self.headless, stage, coat, &self.view);
-        let picked = fur.faces(self.headless, stage);
-        let unhidden = fur.unhidden_faces(self.headless, stage);
+        let mut fur = Fur::new(self.headless, stage, coat, &self.view).expect("a whole coat");
+        let picked = fur.faces(self.headless, stage).expect("the device answers");
+        let unhidden = fur.unhidden_faces(self.headless, stage).expect("the device answers");
         println!(
             "\n{:44} {:>10} {:>10} {:>12} {:>8}",
             "shells' fronts before the depth test", "triangles", "fragments", "of exact set", "missed"
@@ -152,37 +159,15 @@ impl Bench<'_> {
         let exact::Size { triangles, fragments } = exact::compare(self.headless, coat, &self.view, &[]).exact;
         println!("{:44} {triangles:10} {fragments:10} {:12.3}", "exact visible set", 1.0);
     }
-
-    /// With distance, at two settings of the level of detail and with all shells.
-    fn far(&self, coat: &Coat, name: &str) {
-        let stage = self.stage(1);
-        println!("\n{name}, far away, by the least pixels between shells");
-        println!(
-            "{:>8} {:>8} {:>8} {:>8} {:>8} {:>8} {:>10} {:>10} {:>10} {:>14}",
-            "times", "pixels", "shells", "level", "least ms", "median", "of all", "fragments", "triangles", "compute alone"
-        );
-        for times in [1.0, 2.0, 4.0, 8.0, 16.0] {
-            let view = View { camera: further(&self.view.camera, times), ..self.view.clone() };
-            let settings = [("all", Detail::Level(0.0)), ("0.25", Detail::Spacing(0.25)), ("1", Detail::Spacing(1.0))];
-            let views = settings.map(|(pixels, detail)| (pixels, View { options: Options { detail, ..view.options }, ..view.clone() }));
-            let furs = views.each_ref().map(|(pixels, view)| (*pixels, Fur::new(self.headless, stage, coat, view)));
-            let contenders = furs.iter().map(|(pixels, fur)| Contender::ours(self.headless, stage, fur, pixels, false)).collect();
-            let finishes = race(self.headless, stage, contenders, self.rounds, [0, 0]);
-            for ((finish, (_, fur)), (_, view)) in finishes.iter().zip(&furs).zip(&views) {
-                let Finish { name, least, median, ratios, fragments, triangles } = finish;
-                let (shells, level) = (fur.view.shell_count(), fur.view.level());
-                let [fragments, triangles] = [fragments, triangles].map(|count| count.unwrap_or(0));
-                let compute = self.passes(coat, view, 1).compute;
-                println!(
-                    "{times:8} {name:>8} {shells:8} {level:8.2} {least:8.1} {median:8.1} {:10.2} {fragments:10} {triangles:10} {compute:14.1}",
-                    ratios[0]
-                );
-            }
-        }
-    }
 }
 
-/// The camera so many times as far from what it looks at.
-fn further(camera: &Camera, times: f32) -> Camera {
-    Camera { eye: camera.target + times * (camera.eye - camera.target), near: times * camera.near, ..*camera }
+/// Prints them under two headings for the ratios.
+fn print(finishes: &[Finish], ratios: [&str; 2]) {
+    println!("{:44} {:>8} {:>8} {:>14} {:>14} {:>10} {:>10}", "", "least ms", "median", ratios[0], ratios[1], "fragments", "triangles");
+    let count = |count: Option<u64>| count.map_or("–".into(), |count| count.to_string());
+    for finish in finishes {
+        let Finish { name, least, median, ratios, fragments, triangles } = finish;
+        let [first, second] = ratios;
+        println!("{name:44} {least:8.1} {median:8.1} {first:14.2} {second:14.2} {:>10} {:>10}", count(*fragments), count(*triangles));
+    }
 }

@@ -5,10 +5,10 @@ use std::sync::Arc;
 use pelage_coat::Coat;
 use pelage_lighting::TableLayout;
 use pelage_render::{FinRule, LightingMode, March, Options, ShadowOptions, ShellDepth};
+use pelage_tests::{Contender, Fur};
 
-use super::Bench;
-use super::race::{Contender, Fur, print, race};
 use super::scenes::{Scenes, Textures};
+use super::{Bench, print};
 
 /// An option, the textures that it wants, and whether the shadow map is drawn anew each frame.
 struct Case<'a> {
@@ -19,42 +19,48 @@ struct Case<'a> {
 }
 
 impl Bench<'_> {
-    /// Each option with one sample a pixel, in turn with the default; coverage also with four.
+    /// Each option with one sample a pixel, in turn with the default; coverage and anisotropy also with four.
     pub fn options(&self, coat: &Arc<Coat>, scenes: &mut Scenes<'_>, name: &str) {
         let defaults = self.view.options;
         let cases = cases(defaults);
         println!("\n{name}, options, 1 sample a pixel");
         self.cases(coat, scenes, &cases, 1, true);
         let coverage = ShellDepth::Coverage { threshold: 0.02 };
-        let cases = [Case {
-            name: "alpha to coverage",
-            options: Options { shell_depth: coverage, ..defaults },
-            textures: Textures::default(),
-            redraw: false,
-        }];
+        let fine = |name, options| Case { name, options, textures: Textures::default(), redraw: false };
+        let cases = [
+            fine("alpha to coverage", Options { shell_depth: coverage, ..defaults }),
+            fine("anisotropy 4", Options { anisotropy: 4, ..defaults }),
+        ];
         println!("\n{name}, options, 4 samples a pixel");
         self.cases(coat, scenes, &cases, 4, false);
     }
 
     fn cases(&self, coat: &Arc<Coat>, scenes: &mut Scenes<'_>, cases: &[Case<'_>], samples: u32, hidden: bool) {
         let stage = self.stage(samples);
-        let default = Fur::new(self.headless, stage, coat, &self.view);
-        let floor = self.floor(stage, coat, &default.faces(self.headless, stage));
-        let mut two_passes = Fur::new(self.headless, stage, coat, &self.view);
+        let default = Fur::new(self.headless, stage, coat, &self.view).expect("a whole coat");
+        let floor = self.floor(stage, coat, &default.faces(self.headless, stage).expect("the device answers"));
+        let mut two_passes = Fur::new(self.headless, stage, coat, &self.view).expect("a whole coat");
         let furs: Vec<(&Case<'_>, Fur)> = cases
             .iter()
             .map(|case| {
                 let coat = scenes.coat(case.textures).expect("a coat");
-                (case, Fur::with(self.headless, stage, &coat, &self.view, case.options))
+                (case, Fur::with(self.headless, stage, &coat, &self.view, case.options).expect("a whole coat"))
             })
             .collect();
-        let mut contenders = vec![Contender::ours(self.headless, stage, &default, "default", false)];
-        contenders.push(Contender::plain(self.headless, stage, "floor: same draw", None, |pass| floor.draw(pass)));
-        contenders.extend(furs.iter().map(|(case, fur)| Contender::ours(self.headless, stage, fur, case.name, case.redraw)));
+        let ours = |fur, name, redraw| Contender::ours(self.headless, stage, fur, name, redraw).expect("the device answers");
+        let mut contenders = vec![ours(&default, "default", false)];
+        let same_draw = Contender::plain(self.headless, stage, "floor: same draw", None, |pass| floor.draw(pass));
+        contenders.push(same_draw.expect("the device answers"));
+        contenders.extend(furs.iter().map(|(case, fur)| ours(fur, case.name, case.redraw)));
         if hidden {
-            contenders.push(Contender::hidden(self.headless, stage, &mut two_passes, "hidden faces left out, in two passes"));
+            contenders.push(Contender::hidden(
+                self.headless,
+                stage,
+                &mut two_passes,
+                "hidden faces left out, fins and shells in a second pass",
+            ));
         }
-        print(&race(self.headless, stage, contenders, self.rounds, [1, 0]), ["of same draw", "of default"]);
+        print(&self.race(stage, contenders, [1, 0]), ["of same draw", "of default"]);
     }
 }
 

@@ -8,7 +8,7 @@ use pelage_coat::Coat;
 use pelage_graph::{Evaluator, Graph, Request};
 use pelage_tests::{Error, Scene, repository};
 
-use super::stage::SIZE;
+use pelage_tests::SIZE;
 
 /// An OBJ file, and the folder it lives in if it was made for this run.
 pub struct Model {

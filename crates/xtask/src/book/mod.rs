@@ -5,6 +5,7 @@ mod markdown;
 mod nodes;
 mod pages;
 mod pictures;
+mod plot;
 
 use clap::ValueEnum;
 use mdbook_driver::MDBook;
@@ -15,8 +16,10 @@ use crate::place::Place;
 /// What `cargo book` makes besides the pages.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
 pub(crate) enum What {
-    /// Draw the book's pictures anew, each from its saved graph.
+    /// Draw the book's pictures anew, each from its saved graph, and its plots.
     Pictures,
+    /// Draw its plots alone anew, from the figures that benchmarks wrote.
+    Plots,
 }
 
 /// Makes the node reference anew, the pictures if they are asked for, and builds the book into `book/book`.
@@ -24,6 +27,9 @@ pub(crate) fn run(place: &Place, what: Option<What>) -> Result<()> {
     nodes::write(place)?;
     if what == Some(What::Pictures) {
         pictures::draw(place)?;
+    }
+    if what.is_some() {
+        plot::draw(place)?;
     }
     check_sources(place)?;
     build(place)?;
@@ -41,7 +47,8 @@ pub(crate) fn verify(place: &Place) -> Result<()> {
 /// All that can be seen without building.
 fn check_sources(place: &Place) -> Result<()> {
     let mut faults = pages::faults(&place.at("book/src"))?;
-    faults.extend(pictures::faults(place));
+    faults.extend(pictures::faults(place)?);
+    faults.extend(plot::faults(place)?);
     faults.extend(links::faults(place)?);
     if faults.is_empty() { Ok(()) } else { Err(Failure::faults("the book does not hold together", &faults)) }
 }

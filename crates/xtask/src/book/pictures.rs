@@ -1,7 +1,9 @@
-//! The book's pictures, each from a saved graph, so that `cargo book pictures` makes them all anew.
+//! The book's pictures, each from a saved graph or by an example of the workspace, so that `cargo book pictures` makes them all anew.
 
 use std::fs;
+use std::path::PathBuf;
 
+use super::pages::pages_below;
 use crate::failure::{Failure, Result};
 use crate::place::Place;
 use crate::process::CommandLine;
@@ -21,6 +23,9 @@ struct Picture {
 
 const BUNNY: &str = "graphs/bunny.ron";
 const HALF: &str = "480x360";
+const SMALL: &str = "300x225";
+const FIGURE: &str = "graphs/figure4.ron";
+const CURLS: &str = "graphs/shadows.ron";
 
 /// Every picture of the book, and of the README.
 const PICTURES: &[Picture] = &[
@@ -54,12 +59,28 @@ const PICTURES: &[Picture] = &[
     Picture { file: "shared.png", graph: "graphs/shared.ron", set: &[], size: HALF },
     Picture { file: "one-layer.png", graph: "graphs/straight.ron", set: &[], size: HALF },
     Picture { file: "blocks.png", graph: "graphs/blocks.ron", set: &[], size: HALF },
-    Picture { file: "fins-all.png", graph: "graphs/figure4.ron", set: &["picture.shells=false", "picture.fins_on=All"], size: HALF },
+    Picture { file: "figure4-a.png", graph: FIGURE, set: &["picture.shells=false", "picture.fins=false"], size: SMALL },
+    Picture { file: "figure4-b.png", graph: FIGURE, set: &["picture.shells=false"], size: SMALL },
+    Picture { file: "figure4-c.png", graph: FIGURE, set: &["picture.fins=false"], size: SMALL },
+    Picture { file: "figure4-d.png", graph: FIGURE, set: &[], size: SMALL },
+    Picture { file: "fins-all.png", graph: FIGURE, set: &["picture.shells=false", "picture.fins_on=All"], size: SMALL },
+    Picture { file: "figure4-g.png", graph: FIGURE, set: &["picture.detail=Level(level: 1.0)"], size: SMALL },
+    Picture { file: "figure4-h.png", graph: FIGURE, set: &["coat.length=0.04"], size: SMALL },
+    Picture { file: "figure4-i.png", graph: FIGURE, set: &["coat.slant=45.0"], size: SMALL },
+    Picture { file: "figure4-j.png", graph: FIGURE, set: &["picture.detail=Level(level: 2.0)"], size: SMALL },
+    Picture { file: "direction-map.png", graph: CURLS, set: &["camera.margin=0.35"], size: HALF },
+    Picture { file: "no-direction-map.png", graph: CURLS, set: &["camera.margin=0.35", "picture.direction_map=false"], size: HALF },
+    Picture { file: "spacing.png", graph: "graphs/spacing.ron", set: &[], size: "" },
+    Picture { file: "guard.png", graph: "graphs/guard.ron", set: &[], size: HALF },
+    Picture { file: "guard-own.png", graph: "graphs/guard.ron", set: &["fin.strands=down.strands"], size: HALF },
     Picture { file: "by-patch.png", graph: "graphs/blocks.ron", set: &["picture.lighting=Patches"], size: HALF },
     Picture { file: "fox.png", graph: "graphs/fox.ron", set: &[], size: HALF },
     Picture { file: "cat.png", graph: "graphs/cat.ron", set: &[], size: HALF },
     Picture { file: "bear.png", graph: "graphs/bear.ron", set: &[], size: HALF },
 ];
+
+/// Pictures that no graph makes: the file, and the example that draws it, which takes the file's path.
+const EXAMPLES: &[(&str, [&str; 4])] = &[("submitted.png", ["--package", "pelage-tests", "--example", "submitted"])];
 
 const FOLDER: &str = "book/src/pictures";
 
@@ -71,6 +92,11 @@ pub(crate) fn draw(place: &Place) -> Result<()> {
     PICTURES.iter().try_for_each(|picture| {
         println!("{FOLDER}/{}", picture.file);
         command(place, picture).run()
+    })?;
+    EXAMPLES.iter().try_for_each(|(file, example)| {
+        println!("{FOLDER}/{file}");
+        let line = CommandLine::cargo().with(["run", "--quiet", "--release"]).with(*example).with(["--"]);
+        line.with([place.at(FOLDER).join(file)]).within(place.root()).run()
     })
 }
 
@@ -85,14 +111,28 @@ fn command(place: &Place, picture: &Picture) -> CommandLine {
         .within(place.root())
 }
 
-/// A line for each picture of the table that is not there.
-pub(crate) fn faults(place: &Place) -> Vec<String> {
-    missing(PICTURES, |file| place.at(FOLDER).join(file).is_file())
+/// A line for each picture of the tables that is not there, or that no page shows.
+pub(crate) fn faults(place: &Place) -> Result<Vec<String>> {
+    let mut faults = missing(|file| place.at(FOLDER).join(file).is_file());
+    let mut pages = pages_below(&place.at("book/src"))?;
+    pages.push(place.at("README.md"));
+    let read = |page: &PathBuf| fs::read_to_string(page).map_err(|cause| Failure::caused(page.display(), cause));
+    let text = pages.iter().map(read).collect::<Result<Vec<String>>>()?.concat();
+    faults.extend(unshown(&text));
+    Ok(faults)
 }
 
-fn missing(pictures: &[Picture], exists: impl Fn(&str) -> bool) -> Vec<String> {
-    let absent = pictures.iter().filter(|picture| !exists(picture.file));
-    absent.map(|picture| format!("{FOLDER}/{} is not there: draw it with `cargo book pictures`", picture.file)).collect()
+fn files() -> impl Iterator<Item = &'static str> {
+    PICTURES.iter().map(|picture| picture.file).chain(EXAMPLES.iter().map(|(file, _)| *file))
+}
+
+fn missing(exists: impl Fn(&str) -> bool) -> Vec<String> {
+    files().filter(|file| !exists(file)).map(|file| format!("{FOLDER}/{file} is not there: draw it with `cargo book pictures`")).collect()
+}
+
+fn unshown(text: &str) -> Vec<String> {
+    let hidden = files().filter(|file| !text.contains(&format!("pictures/{file})")));
+    hidden.map(|file| format!("{FOLDER}/{file} is drawn and shown on no page: show it or draw it no more")).collect()
 }
 
 #[cfg(test)]
@@ -102,8 +142,7 @@ mod tests {
 
     #[test]
     fn the_table_names_each_file_once() {
-        let files: BTreeSet<&str> = PICTURES.iter().map(|picture| picture.file).collect();
-        assert_eq!(files.len(), PICTURES.len());
+        assert_eq!(files().collect::<BTreeSet<&str>>().len(), files().count());
         let sizes = PICTURES.iter().map(|picture| picture.size).filter(|size| !size.is_empty());
         assert!(sizes.flat_map(|size| size.split('x')).all(|side| side.parse::<u32>().is_ok_and(|side| side > 0)));
     }
@@ -118,7 +157,15 @@ mod tests {
 
     #[test]
     fn a_missing_picture_is_told() {
-        assert_eq!(missing(PICTURES, |_| false).len(), PICTURES.len());
-        assert_eq!(missing(PICTURES, |_| true), Vec::<String>::new());
+        assert_eq!(missing(|_| false).len(), files().count());
+        assert_eq!(missing(|_| true), Vec::<String>::new());
+    }
+
+    #[test]
+    fn a_picture_that_no_page_shows_is_told() {
+        let shown: String = files().map(|file| format!("![x](../pictures/{file})")).collect();
+        assert_eq!(unshown(&shown), Vec::<String>::new());
+        let told = unshown(&shown.replace("pictures/bunny.png", "pictures/hare.png"));
+        assert!(told.len() == 1 && told[0].contains("bunny.png"), "{told:?}");
     }
 }

@@ -1,4 +1,4 @@
-//! A target, a frame on it, and how many fragments that took.
+//! A target, a frame on it, and how many fragments that took: what frames are measured on.
 
 use std::time::Instant;
 
@@ -9,12 +9,18 @@ use wgpu::{
     StoreOp, TextureDescriptor, TextureDimension, TextureFormat, TextureUsages, TextureView, TextureViewDescriptor,
 };
 
+use crate::Error;
+
+/// Width and height of every frame that is measured, in pixels.
 pub const SIZE: (u32, u32) = (640, 480);
 
+/// What frames are drawn on to be measured.
 pub struct Stage {
+    /// Formats and samples.
     pub target: Target,
     /// One for all that is drawn of ours: what it has compiled is compiled.
     pub renderer: Renderer,
+    /// Its depth buffer.
     pub depth: TextureView,
     colour: TextureView,
     resolved: Option<TextureView>,
@@ -22,7 +28,9 @@ pub struct Stage {
 }
 
 impl Stage {
-    pub fn new(headless: &Headless, target: Target) -> Self {
+    /// A stage of [`SIZE`] with one or four samples a pixel.
+    pub fn new(headless: &Headless, samples: u32) -> Self {
+        let target = Target::new(TextureFormat::Rgba8UnormSrgb, samples);
         let device = headless.device();
         let view = |format: TextureFormat, sample_count| {
             let texture = device.create_texture(&TextureDescriptor {
@@ -77,17 +85,28 @@ impl Stage {
     }
 
     /// Draws a frame to its end, and says how many milliseconds that took.
-    pub fn time(&self, headless: &Headless, record: &mut dyn FnMut(&mut CommandEncoder)) -> f64 {
+    ///
+    /// # Errors
+    /// A device that does not answer.
+    pub fn time(&self, headless: &Headless, record: &mut dyn FnMut(&mut CommandEncoder)) -> Result<f64, Error> {
         let start = Instant::now();
         let mut encoder = headless.device().create_command_encoder(&CommandEncoderDescriptor::default());
         record(&mut encoder);
         headless.queue().submit([encoder.finish()]);
-        headless.device().poll(PollType::wait_indefinitely()).expect("the device answers");
-        start.elapsed().as_secs_f64() * 1e3
+        headless.device().poll(PollType::wait_indefinitely())?;
+        Ok(start.elapsed().as_secs_f64() * 1e3)
     }
 
     /// How many samples pass the tests.
-    pub fn fragments(&self, headless: &Headless, compute: &dyn Fn(&mut CommandEncoder), draw: &dyn Fn(&mut RenderPass<'_>)) -> u64 {
+    ///
+    /// # Errors
+    /// A device that does not answer.
+    pub fn fragments(
+        &self,
+        headless: &Headless,
+        compute: &dyn Fn(&mut CommandEncoder),
+        draw: &dyn Fn(&mut RenderPass<'_>),
+    ) -> Result<u64, Error> {
         let device = headless.device();
         let buffer = |usage| device.create_buffer(&BufferDescriptor { label: None, size: 8, usage, mapped_at_creation: false });
         let resolved = buffer(BufferUsages::QUERY_RESOLVE | BufferUsages::COPY_SRC);
@@ -104,8 +123,8 @@ impl Stage {
         encoder.copy_buffer_to_buffer(&resolved, 0, &readable, 0, 8);
         headless.queue().submit([encoder.finish()]);
         readable.slice(..).map_async(MapMode::Read, |_| ());
-        device.poll(PollType::wait_indefinitely()).expect("the device answers");
-        let view = readable.slice(..).get_mapped_range().expect("mapped");
-        bytemuck::pod_read_unaligned(&view)
+        device.poll(PollType::wait_indefinitely())?;
+        let view = readable.slice(..).get_mapped_range()?;
+        Ok(bytemuck::pod_read_unaligned(&view))
     }
 }
