@@ -52,14 +52,14 @@ impl<'a> Contender<'a> {
         Ok(Self { name: name.into(), record: Box::new(record), fragments, triangles, times: Vec::new() })
     }
 
-    /// Ours in one pass; with what is kept from frame to frame (shadow map, blended levels of detail) made anew each time, as if something moved, or not.
+    /// Ours in one pass; with the shadow map drawn anew each time, as if the light moved, or not.
     ///
     /// # Errors
     /// A device that does not answer.
-    pub fn ours(headless: &Headless, stage: &'a Stage, fur: &'a Fur, name: &str, moving: bool) -> Result<Self, Error> {
+    pub fn ours(headless: &Headless, stage: &'a Stage, fur: &'a Fur, name: &str, redraw_shadows: bool) -> Result<Self, Error> {
         let compute = move |encoder: &mut CommandEncoder| {
-            if moving {
-                fur.view.remake();
+            if redraw_shadows {
+                fur.view.redraw_shadows();
             }
             stage.renderer.compute(encoder, &fur.view);
         };

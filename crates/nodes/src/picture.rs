@@ -201,7 +201,7 @@ pub struct RenderImage {
     #[param(default = ShellDetail::Spacing { pixels: 0.25 })]
     pub detail: ShellDetail,
     /// Layers that each drawn shell shows, where the ray of sight meets them (L26, N9).
-    #[param(default = 1, range = 1..=256, unit = "layers", effect = "more: fewer shells to blend, with as many fetches; silhouettes suffer")]
+    #[param(default = 1, range = 1..=256, unit = "layers", effect = "more: fewer shells to blend, with as many fetches; silhouettes suffer. With levels of detail rounded up to a power of two")]
     pub march: u32,
     /// Samples of the volume for each layer, where shells show several or this is over 1.
     #[param(default = 1, range = 1..=16, unit = "samples", effect = "more: smoother at a slant; fetches go with twice that")]

@@ -2,7 +2,7 @@
 
 use std::ops::Range;
 
-use wgpu::{Buffer, CommandEncoder, ComputePass, Device, IndexFormat, Queue, RenderPass, RenderPipeline};
+use wgpu::{Buffer, CommandEncoder, Device, IndexFormat, Queue, RenderPass, RenderPipeline};
 
 use crate::frame_groups::FrameBuffers;
 use crate::pipelines::{PassPipelines, Variant};
@@ -68,7 +68,7 @@ impl Moment {
         let light = LightView::new(coat, view);
         Ok(Self {
             uniform: FrameUniform::new(view, viewpoint, &schedule, &light)?,
-            needs: Needs::new(device, coat, view, viewpoint, &schedule)?,
+            needs: Needs::new(device, view)?,
             shown: Shown::new(coat, view, &schedule),
             schedule,
             light,
@@ -120,23 +120,14 @@ impl Frame {
 
     /// Takes over what a moment says, and writes it to where the device reads it.
     fn write(&mut self, queue: &Queue, moment: Moment, new_map: bool) {
-        let casts_alike = self.light == moment.light && self.schedule.shells == moment.schedule.shells;
+        let casts_alike =
+            (&self.light, self.schedule.blend, &self.schedule.shells) == (&moment.light, moment.schedule.blend, &moment.schedule.shells);
         (self.schedule, self.light, self.shown) = (moment.schedule, moment.light, moment.shown);
         queue.write_buffer(&self.buffers.frame, 0, bytemuck::bytes_of(&moment.uniform));
         queue.write_buffer(&self.buffers.shells, 0, bytemuck::cast_slice(&self.schedule.shells));
         queue.write_buffer(&self.buffers.drawn, 0, bytemuck::cast_slice(&self.schedule.drawn));
-        if let Some(blended) = &mut self.resources.blended {
-            blended.set(queue, &self.schedule.slots);
-        }
         if let Some((shadows, _)) = self.resources.shadows.as_mut().filter(|_| new_map || !casts_alike) {
             shadows.set(queue, &self.schedule);
-        }
-    }
-
-    /// Records the blending of levels of detail, where that is stale.
-    pub(crate) fn record_blend(&self, pass: &mut ComputePass<'_>, shared: &Shared) {
-        if let Some(blended) = self.resources.blended.as_ref().filter(|_| self.is_blended()) {
-            blended.record(pass, &shared.blender, self.resources.finest_blended());
         }
     }
 
@@ -145,7 +136,7 @@ impl Frame {
         let Some((shadows, casters)) = &self.resources.shadows else { return };
         // Fur without length casts nothing.
         let furry = self.coat.furred_face_count() > 0 && self.light.length > 0.0;
-        shadows.record(encoder, casters, self.resources.groups.casting(self.is_blended()), &self.coat, furry);
+        shadows.record(encoder, casters, self.resources.groups.casting(), &self.coat, furry);
     }
 
     /// Begins the drawing of shells, or of the skin, whose vertices are patch vertices too.
@@ -156,7 +147,7 @@ impl Frame {
 
     pub(crate) fn begin(&self, pass: &mut RenderPass<'_>, pipeline: &RenderPipeline) {
         pass.set_pipeline(pipeline);
-        pass.set_bind_group(0, self.resources.groups.drawing(self.is_blended()), &[]);
+        pass.set_bind_group(0, self.resources.groups.drawing(), &[]);
         pass.set_bind_group(1, &self.coat.bind_group, &[]);
     }
 
@@ -168,11 +159,6 @@ impl Frame {
         }
         pass.set_index_buffer(self.coat.faces.slice(..), IndexFormat::Uint32);
         pass.draw_indexed(0..self.coat.corner_count, 0, instances);
-    }
-
-    /// Whether the shells show images that are blended for this view.
-    fn is_blended(&self) -> bool {
-        !self.schedule.slots.is_empty()
     }
 }
 

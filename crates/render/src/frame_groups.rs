@@ -33,22 +33,12 @@ impl FrameBuffers {
 pub(crate) struct GroupParts<'a> {
     pub(crate) factors: &'a TextureView,
     pub(crate) anisotropy: u16,
-    /// The images of blended levels, where there are any.
-    pub(crate) blended: Option<&'a TextureView>,
     pub(crate) shadows: Option<&'a ShadowTargets>,
 }
 
 /// The bindings of a frame.
 #[derive(Debug)]
 pub(crate) struct FrameGroups {
-    /// With the coat's own images.
-    plain: Sets,
-    /// With blended ones.
-    blended: Option<Sets>,
-}
-
-#[derive(Debug)]
-struct Sets {
     drawing: BindGroup,
     /// For the shadow map's own passes, which cannot read what they write: without any of it, and with the first hairs.
     casting: Option<[BindGroup; 2]>,
@@ -60,30 +50,29 @@ impl FrameGroups {
         shared: &Shared,
         coat: &GpuCoat,
         buffers: &FrameBuffers,
-        fins: &Buffer,
+        second: &Buffer,
         parts: &GroupParts<'_>,
     ) -> Self {
         let samplers = shared.hair_samplers(device, parts.anisotropy);
-        let maker = Maker { device, shared, coat, buffers, fins, factors: parts.factors, samplers };
+        let maker = Maker { device, shared, coat, buffers, second, factors: parts.factors, samplers };
+        let none = &shared.no_shadow;
+        let all = parts.shadows.unwrap_or(none);
         Self {
-            plain: maker.sets(&coat.textures.shell_view, parts.shadows),
-            blended: parts.blended.map(|images| maker.sets(images, parts.shadows)),
+            drawing: maker.group([&all.skin, &all.fronts, &all.slices]),
+            casting: parts.shadows.map(|map| {
+                [[&none.skin, &none.fronts, &none.slices], [&none.skin, &map.fronts, &none.slices]].map(|textures| maker.group(textures))
+            }),
         }
     }
 
     /// For the passes that draw.
-    pub(crate) fn drawing(&self, blended: bool) -> &BindGroup {
-        &self.sets(blended).drawing
+    pub(crate) fn drawing(&self) -> &BindGroup {
+        &self.drawing
     }
 
     /// For the passes of the shadow map.
-    pub(crate) fn casting(&self, blended: bool) -> [&BindGroup; 2] {
-        let sets = self.sets(blended);
-        sets.casting.as_ref().map_or([&sets.drawing; 2], |[first, second]| [first, second])
-    }
-
-    fn sets(&self, blended: bool) -> &Sets {
-        self.blended.as_ref().filter(|_| blended).unwrap_or(&self.plain)
+    pub(crate) fn casting(&self) -> [&BindGroup; 2] {
+        self.casting.as_ref().map_or([&self.drawing; 2], |[first, second]| [first, second])
     }
 }
 
@@ -92,34 +81,22 @@ struct Maker<'a> {
     shared: &'a Shared,
     coat: &'a GpuCoat,
     buffers: &'a FrameBuffers,
-    fins: &'a Buffer,
+    second: &'a Buffer,
     factors: &'a TextureView,
     samplers: [Sampler; 2],
 }
 
 impl Maker<'_> {
-    fn sets(&self, images: &TextureView, shadows: Option<&ShadowTargets>) -> Sets {
-        let none = &self.shared.no_shadow;
-        let all = shadows.unwrap_or(none);
-        Sets {
-            drawing: self.group(images, [&all.skin, &all.fronts, &all.slices]),
-            casting: shadows.map(|map| {
-                [[&none.skin, &none.fronts, &none.slices], [&none.skin, &map.fronts, &none.slices]]
-                    .map(|textures| self.group(images, textures))
-            }),
-        }
-    }
-
-    fn group(&self, images: &TextureView, shadows: [&TextureView; 3]) -> BindGroup {
+    fn group(&self, shadows: [&TextureView; 3]) -> BindGroup {
         let resources = [
             self.buffers.frame.as_entire_binding(),
             self.buffers.shells.as_entire_binding(),
-            self.fins.as_entire_binding(),
+            self.second.as_entire_binding(),
             BindingResource::TextureView(self.factors),
             BindingResource::Sampler(&self.shared.table_sampler),
             BindingResource::Sampler(&self.samplers[0]),
             BindingResource::Sampler(&self.samplers[1]),
-            BindingResource::TextureView(images),
+            BindingResource::TextureView(&self.coat.textures.shell_view),
             BindingResource::TextureView(&self.coat.textures.directions),
             BindingResource::TextureView(shadows[0]),
             BindingResource::TextureView(shadows[1]),

@@ -33,8 +33,6 @@ pub struct GpuCoat {
     /// The longest and the shortest hair, in diameters.
     pub(crate) length: f32,
     pub(crate) shortest: f32,
-    /// How much of the surface a tile takes at most, in diameters.
-    pub(crate) tile_side: f32,
     /// The ball around skin and fur: centre and radius.
     pub(crate) ball: (Vec3, f32),
     /// The patch of each patch vertex, to count by.
@@ -69,10 +67,10 @@ impl GpuCoat {
                 bent: coat.surface.bends.iter().any(|&bend| bend != Vec3::ZERO),
                 cut: coat.surface.ends.iter().any(|&end| end < 1.0),
                 direction_map: textures.has_directions,
+                levels: textures.levels.len() > 1,
             },
             length: coat.surface.offsets.iter().map(|offset| offset.length()).fold(0.0, f32::max),
             shortest: coat.surface.offsets.iter().map(|offset| offset.length()).fold(f32::INFINITY, f32::min),
-            tile_side: tiles.iter().map(|tile| tile.tile_side).fold(0.0, f32::max),
             ball: ball(coat),
             patch_of: patch_of(coat).into(),
             patch_count: coat.patches.patch_ends.len() as u32,

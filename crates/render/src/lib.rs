@@ -10,8 +10,8 @@
 //! compute the same formula in `f32`, which a test holds them to.
 //!
 //! # A frame
-//! 1. [`Renderer::compute`] picks the edges that carry a fin and the faces of which a shell can be seen, blends levels of detail where a view is between
-//!    two, and draws the shadow map where it is stale; nothing goes back to the processor.
+//! 1. [`Renderer::compute`] picks the edges that carry a fin and the faces of which a shell can be seen, and draws the shadow map where it
+//!    is stale; nothing goes back to the processor.
 //! 2. Surface, fins, shells, in this order (section 2.3): the skin writes depth; the fins near the silhouette test depth; the shells, innermost first, test
 //!    and, as told, write it. Shell *k* of *N* stands at *c_v · k / (N − 1)* unless its [`pelage_coat::ShellLayer`] says otherwise; shell 0 is the skin.
 //! 3. Between surface and shells [`Renderer::find_hidden`] may leave out faces that what has been drawn hides.
@@ -70,7 +70,6 @@
 mod attachments;
 mod background;
 mod bindings;
-mod blend;
 mod buffers;
 mod compute;
 mod counts;

@@ -134,7 +134,7 @@ impl Offscreen {
             let start = Instant::now();
             let mut encoder = self.encoder();
             // As if something had moved.
-            prepared.remake();
+            prepared.redraw_shadows();
             self.encode(&mut encoder, &plan, &mut prepared, timer);
             queue.submit([encoder.finish()]);
             readback::wait(device)?;

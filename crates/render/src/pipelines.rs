@@ -17,10 +17,11 @@ use crate::shader::assemble;
 use crate::{LightingMode, ShellDepth, Target, View};
 
 /// What all drawing passes begin with.
-pub(crate) const PRELUDE: [&str; 5] = [
+pub(crate) const PRELUDE: [&str; 6] = [
     include_str!("shaders/opacity.wgsl"),
     include_str!("shaders/common.wgsl"),
     include_str!("shaders/bindings.wgsl"),
+    include_str!("shaders/hair.wgsl"),
     include_str!("shaders/lighting.wgsl"),
     include_str!("shaders/shadow.wgsl"),
 ];
@@ -45,6 +46,8 @@ pub(crate) struct Variant {
     bent: bool,
     /// Hair is cut off somewhere.
     cut: bool,
+    /// There are levels of detail to blend.
+    levels: bool,
     /// Shells are more or less than their image.
     thickened: bool,
     /// A hair shades what is under it.
@@ -86,6 +89,7 @@ pub(crate) struct CoatTraits {
     pub(crate) bent: bool,
     pub(crate) cut: bool,
     pub(crate) direction_map: bool,
+    pub(crate) levels: bool,
 }
 
 impl Variant {
@@ -110,6 +114,7 @@ impl Variant {
             map: per_pixel && options.direction_map && coat.direction_map,
             bent: coat.bent,
             cut: coat.cut,
+            levels: coat.levels,
             thickened,
             hair_shadow: options.hair_shadow > 0.0,
             shadow_map: options.shadows.is_some(),
@@ -136,6 +141,7 @@ impl Variant {
             ("MAP", self.map),
             ("BENT", self.bent),
             ("CUT", self.cut),
+            ("LEVELS", self.levels && !self.instanced),
             ("THICKENED", self.thickened),
             ("HAIR_SHADOW", self.hair_shadow),
             ("GROWN", self.grown),
@@ -154,7 +160,7 @@ impl Variant {
         format!(
             "const LIGHTS: u32 = {}u;\nconst SAMPLES: u32 = {samples}u;\n{}",
             self.lights,
-            assemble(&[PRELUDE[0], PRELUDE[1], PRELUDE[2], PRELUDE[3], PRELUDE[4], pass], &self.flags())
+            assemble(&[PRELUDE[0], PRELUDE[1], PRELUDE[2], PRELUDE[3], PRELUDE[4], PRELUDE[5], pass], &self.flags())
         )
     }
 }
@@ -357,9 +363,12 @@ mod tests {
         assert_eq!(Variant::new(&view, CoatTraits::default(), false, true).flags(), ["GROWN", "SKY"]);
         view.options.lighting = LightingMode::Formula;
         view.lights.ambient.0[4] = Vec3::X;
-        let all = CoatTraits { bent: true, cut: true, direction_map: true };
-        assert_eq!(Variant::new(&view, all, true, false).flags(), ["PIXEL", "MAP", "BENT", "CUT", "THICKENED", "KEPT", "SPLIT", "AXES"]);
+        let all = CoatTraits { bent: true, cut: true, direction_map: true, levels: true };
+        assert_eq!(
+            Variant::new(&view, all, true, false).flags(),
+            ["PIXEL", "MAP", "BENT", "CUT", "LEVELS", "THICKENED", "KEPT", "SPLIT", "AXES"]
+        );
         view.options.direction_map = false;
-        assert_eq!(Variant::new(&view, all, false, true).flags(), ["PIXEL", "BENT", "CUT", "GROWN", "KEPT", "SPLIT"]);
+        assert_eq!(Variant::new(&view, all, false, true).flags(), ["PIXEL", "BENT", "CUT", "LEVELS", "GROWN", "KEPT", "SPLIT"]);
     }
 }

@@ -54,7 +54,6 @@ impl PreparedView {
     pub(crate) fn record(&self, pass: &mut ComputePass<'_>, shared: &Shared) {
         let shown = self.frame.shown;
         self.picks.record(pass, shared, shown.fins, shown.shells && shown.culling);
-        self.frame.record_blend(pass, shared);
     }
 
     /// Records the picking of faces anew, by what hides them.
@@ -78,14 +77,11 @@ impl PreparedView {
         self.frame.resources.shadows.as_ref().is_some_and(|(shadows, _)| ShadowMap::is_stale(shadows))
     }
 
-    /// Has what is kept from frame to frame, the shadow map and blended levels of detail, made anew with the next frame: where a coat's arrays or textures have
-    /// changed on the device, where the commands that [`crate::Renderer::compute`] recorded were never submitted, or to measure what it costs.
-    pub fn remake(&self) {
+    /// Has the shadow map drawn anew with the next frame: where a coat's arrays or textures have changed on the device, where the commands that
+    /// [`crate::Renderer::compute`] recorded were never submitted, or to measure what it costs.
+    pub fn redraw_shadows(&self) {
         if let Some((shadows, _)) = &self.frame.resources.shadows {
             shadows.redraw();
-        }
-        if let Some(blended) = &self.frame.resources.blended {
-            blended.remake();
         }
     }
 

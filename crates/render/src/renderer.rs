@@ -7,7 +7,6 @@ use wgpu::{
     MipmapFilterMode, Queue, RenderPass, Sampler, SamplerDescriptor, TextureView,
 };
 
-use crate::blend::Blender;
 use crate::crowd::Crowd;
 use crate::pipelines::Pipelines;
 use crate::pyramid::PyramidBuilder;
@@ -29,7 +28,6 @@ pub(crate) struct Shared {
     pub(crate) pipelines: Pipelines,
     pub(crate) selectors: Selectors,
     pub(crate) pyramids: PyramidBuilder,
-    pub(crate) blender: Blender,
     pub(crate) casters: CasterCache,
     /// Bound where no shadows are asked for.
     pub(crate) no_shadow: ShadowTargets,
@@ -49,7 +47,6 @@ impl Renderer {
             pipelines: Pipelines::new(device, target),
             selectors: Selectors::new(device, target),
             pyramids: PyramidBuilder::new(device, target),
-            blender: Blender::new(device),
             casters: CasterCache::default(),
             no_shadow: ShadowTargets::new(device, 1),
             shadow_sampler: device.create_sampler(&SamplerDescriptor {
@@ -120,8 +117,8 @@ impl Renderer {
         prepared.update(device, queue, &self.shared, (view, viewpoint))
     }
 
-    /// Records what comes ahead of the pass that draws: which fins and which faces, blended levels of detail, the shadow map where it is stale. Once a frame; what is
-    /// kept from frame to frame counts as made from here on, so that whoever throws the encoder away calls [`PreparedView::remake`].
+    /// Records what comes ahead of the pass that draws: which fins and which faces, and the shadow map where it is stale. Once a frame; the map
+    /// counts as drawn from here on, so that whoever throws the encoder away calls [`PreparedView::redraw_shadows`].
     pub fn compute(&self, encoder: &mut CommandEncoder, view: &PreparedView) {
         self.compute_timed(encoder, view, None);
     }

@@ -16,38 +16,24 @@ const BLEND_BAND: f32 = 0.5;
 #[derive(Clone, Copy, Debug, Default, PartialEq, Pod, Zeroable)]
 pub(crate) struct Shell {
     pub(crate) height: f32,
-    pub(crate) light_height: f32,
-    pub(crate) image: u32,
-    pub(crate) direction: u32,
-    pub(crate) opacity: f32,
-    pub(crate) layers: f32,
-    pub(crate) step: f32,
-    pub(crate) above: u32,
-    pub(crate) top: f32,
-    pub(crate) top_light: f32,
-    pub(crate) bottom: f32,
-    pub(crate) bottom_light: f32,
-}
-
-/// Two levels that blend, image by image; mirrors `struct Slot` of blend.wgsl.
-#[repr(C)]
-#[derive(Clone, Copy, Debug, Default, PartialEq, Pod, Zeroable)]
-pub(crate) struct Slot {
-    fine: u32,
-    coarse: u32,
-    fine_opacity: f32,
-    fine_layers: f32,
-    coarse_opacity: f32,
-    coarse_layers: f32,
-    blend: f32,
-    unused: f32,
+    light_height: f32,
+    step: f32,
+    images: u32,
+    directions: u32,
+    above: u32,
+    opacity: f32,
+    layers: f32,
+    later_opacity: f32,
+    later_layers: f32,
+    top: f32,
+    top_light: f32,
+    bottom: f32,
+    bottom_light: f32,
+    unused: [f32; 2],
 }
 
 /// Which shell shades another (K10), counted in the finest level's.
 const SHADING_REACH: u32 = 2;
-
-/// No coarser image: the shell fades out.
-const NONE: u32 = u32::MAX;
 
 /// What a frame draws of a coat's shells.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -58,9 +44,7 @@ pub(crate) struct Schedule {
     pub(crate) drawn: Vec<u32>,
     /// How many layers each of them shows.
     pub(crate) marched: u32,
-    /// What is blended into the images that the shells show; empty where a level is drawn as it is.
-    pub(crate) slots: Vec<Slot>,
-    /// How far the blend has come: 0 to 1.
+    /// How far the level has become the next: 0 to 1.
     pub(crate) blend: f32,
     /// How many shells there are for a unit of height.
     pub(crate) layers_per_height: f32,
@@ -80,53 +64,22 @@ impl Schedule {
         let Some(fine) = levels.get(base as usize) else { return Self::default() };
         let coarse = levels.get(base as usize + 1).map(Vec::as_slice).filter(|_| blend > 0.0);
         let stride = 1_u32 << (base as u32).min(16);
-        let mut schedule = match coarse {
-            Some(coarse) => Self::blended(fine, coarse, blend),
-            None => Self { shells: fine.iter().map(|&layer| shell(layer)).collect(), ..Self::default() },
+        let mut schedule = Self { level, blend, ..Self::default() };
+        schedule.shells = match coarse {
+            Some(coarse) => blended(fine, coarse, blend),
+            None => fine.iter().map(|&layer| shell(layer)).collect(),
         };
-        schedule.level = level;
-        schedule.blend = blend;
         let per_height = layers_per_height(fine);
         schedule.layers_per_height = per_height + blend * (coarse.map_or(per_height, layers_per_height) - per_height);
         schedule.fins = if coarsest > 0.0 { (coarsest - level).min(1.0) } else { 1.0 };
         schedule.set_steps();
-        if !schedule.slots.is_empty() {
+        if blend > 0.0 {
             schedule.blend_steps(blend);
         }
         schedule.set_above(stride);
         schedule.marched = marched(options.march, levels, base as u32);
         schedule.set_drawn(options, stride);
         schedule.set_reach();
-        schedule
-    }
-
-    fn blended(fine: &[ShellLayer], coarse: &[ShellLayer], blend: f32) -> Self {
-        let mut schedule = Self::default();
-        for (k, layer) in fine.iter().enumerate() {
-            let into = if k % 2 == 0 { coarse.get(k / 2) } else { None };
-            schedule.slots.push(Slot {
-                fine: layer.image,
-                coarse: into.map_or(NONE, |into| into.image),
-                fine_opacity: layer.opacity,
-                fine_layers: layer.layers,
-                coarse_opacity: into.map_or(0.0, |into| into.opacity),
-                coarse_layers: into.map_or(0.0, |into| into.layers),
-                blend,
-                unused: 0.0,
-            });
-            let light_height =
-                layer.light_height + blend * (into.map_or(layer.light_height, |into| into.light_height) - layer.light_height);
-            schedule.shells.push(Shell {
-                image: k as u32,
-                opacity: 1.0,
-                layers: 1.0,
-                light_height,
-                top_light: light_height,
-                bottom_light: light_height,
-                direction: both(layer.image, into.map_or(layer.image, |into| into.image)),
-                ..shell(*layer)
-            });
-        }
         schedule
     }
 
@@ -174,7 +127,9 @@ impl Schedule {
         self.drawn = (1..count).filter(carries).collect();
         if self.marched > 1 {
             // What is not asked for is there to be passed through.
-            (1..count).filter(|&k| !asked(k)).for_each(|k| self.shells[k as usize].opacity = 0.0);
+            for shell in (1..).zip(&mut self.shells[1..]).filter_map(|(k, shell)| (!asked(k)).then_some(shell)) {
+                (shell.opacity, shell.later_opacity) = (0.0, 0.0);
+            }
         }
     }
 
@@ -209,7 +164,9 @@ impl Schedule {
 
     /// Whether a shell is more or less than its image.
     pub(crate) fn is_thickened(&self) -> bool {
-        self.shells.iter().any(|shell| shell.opacity != 1.0 || shell.layers != 1.0)
+        let plain = |shell: &Shell| shell.opacity == 1.0 && shell.layers == 1.0 && shell.later_layers == 1.0;
+        // A shell that fades becomes nothing, which takes no thickening.
+        !self.shells.iter().all(|shell| plain(shell) && (shell.later_opacity == 1.0 || shell.later_opacity == 0.0))
     }
 }
 
@@ -231,20 +188,41 @@ fn both(now: u32, then: u32) -> u32 {
     now | then << 16
 }
 
+/// The shells of a level on its way to the next: every second one towards that of the other, the ones between towards nothing.
+fn blended(fine: &[ShellLayer], coarse: &[ShellLayer], blend: f32) -> Vec<Shell> {
+    let becoming = |(k, &layer): (usize, &ShellLayer)| match coarse.get(k / 2).filter(|_| k % 2 == 0) {
+        Some(into) => {
+            let light_height = layer.light_height + blend * (into.light_height - layer.light_height);
+            Shell {
+                images: both(layer.image, into.image),
+                directions: both(layer.image, into.image),
+                later_opacity: into.opacity,
+                later_layers: into.layers,
+                ..shell(ShellLayer { light_height, ..layer })
+            }
+        }
+        None => Shell { later_opacity: 0.0, later_layers: 1.0, ..shell(layer) },
+    };
+    fine.iter().enumerate().map(becoming).collect()
+}
+
 fn shell(layer: ShellLayer) -> Shell {
     Shell {
         height: layer.height,
         light_height: layer.light_height,
-        image: layer.image,
-        direction: both(layer.image, layer.image),
+        step: 0.0,
+        images: both(layer.image, layer.image),
+        directions: both(layer.image, layer.image),
+        above: 0,
         opacity: layer.opacity,
         layers: layer.layers,
-        step: 0.0,
-        above: 0,
+        later_opacity: layer.opacity,
+        later_layers: layer.layers,
         top: layer.height,
         top_light: layer.light_height,
         bottom: layer.height,
         bottom_light: layer.light_height,
+        unused: [0.0; 2],
     }
 }
 

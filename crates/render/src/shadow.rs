@@ -182,13 +182,13 @@ impl ShadowMap {
 /// How far apart the shells are that cast. While levels blend every second image fades, and none of those may be among them.
 fn stride(schedule: &Schedule) -> u32 {
     let steps = (schedule.shells.len() as u32).saturating_sub(1);
-    if schedule.slots.is_empty() { steps.div_ceil(MOST_CASTING).max(1) } else { 2 * steps.div_ceil(2 * MOST_CASTING).max(1) }
+    if schedule.blend == 0.0 { steps.div_ceil(MOST_CASTING).max(1) } else { 2 * steps.div_ceil(2 * MOST_CASTING).max(1) }
 }
 
 /// Which shells cast; from the outermost down.
 fn casters(schedule: &Schedule) -> Vec<u32> {
     let shells = schedule.shells.len() as u32;
-    let outermost = if schedule.slots.is_empty() { shells.saturating_sub(1) } else { shells.saturating_sub(1) & !1 };
+    let outermost = if schedule.blend == 0.0 { shells.saturating_sub(1) } else { shells.saturating_sub(1) & !1 };
     let stride = stride(schedule);
     (1..shells).filter(|&k| k <= outermost && (outermost - k).is_multiple_of(stride)).collect()
 }
@@ -227,8 +227,10 @@ impl CasterCache {
 
 impl Casters {
     fn new(device: &Device, pipelines: &Pipelines, traits: CoatTraits) -> Self {
-        let flags: Vec<&str> = [("BENT", traits.bent), ("CUT", traits.cut)].iter().filter_map(|&(name, on)| on.then_some(name)).collect();
-        let files = [PRELUDE[0], PRELUDE[1], PRELUDE[2], include_str!("shaders/shadow.wgsl"), include_str!("shaders/shadow_cast.wgsl")];
+        let flags = [("BENT", traits.bent), ("CUT", traits.cut), ("LEVELS", traits.levels), ("THICKENED", true)];
+        let flags: Vec<&str> = flags.iter().filter_map(|&(name, on)| on.then_some(name)).collect();
+        let files =
+            [PRELUDE[0], PRELUDE[1], PRELUDE[2], PRELUDE[3], include_str!("shaders/shadow.wgsl"), include_str!("shaders/shadow_cast.wgsl")];
         let module = device.create_shader_module(ShaderModuleDescriptor {
             label: Some("shadow"),
             source: ShaderSource::Wgsl(assemble(&files, &flags).into()),

@@ -14,7 +14,6 @@ use crate::pack::half;
 /// The shell stack and the fin on the device; any number of coats may share them.
 #[derive(Clone, Debug)]
 pub struct GpuTextures {
-    pub(crate) shells: Texture,
     pub(crate) shell_view: TextureView,
     /// The image of the finest level's innermost shell: bare skin, where coarser ones have hair on it.
     pub(crate) skin: TextureView,
@@ -47,7 +46,6 @@ impl GpuTextures {
                 ..TextureViewDescriptor::default()
             }),
             shell_view: view(&texture, TextureViewDimension::D2Array),
-            shells: texture,
             directions: view(&directions, TextureViewDimension::D2Array),
             fin: view(&fin_texture, TextureViewDimension::D2),
             levels: shells.levels.clone().into(),

@@ -129,7 +129,7 @@ impl ShellRange {
 pub enum Detail {
     /// As coarse as leaves shells this many pixels apart, seen from the side; 0: the finest always.
     Spacing(f32),
-    /// Likewise, but the nearest whole level: no images of its own to blend into, so that a crowd shares the coat's; levels change at once.
+    /// Likewise, but the nearest whole level: levels change at once. What a crowd does, of which a draw shows one level.
     Whole(f32),
     /// This level: 0 the finest, each the half of the one before; a fraction blends.
     Level(f32),

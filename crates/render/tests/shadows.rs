@@ -360,7 +360,7 @@ fn the_map_is_drawn_anew_when_what_it_shows_changes_and_not_otherwise() {
         assert!(stage.frame(&prepared) == stage.frame(&stage.prepare(&uploaded, &changed)));
         assert!(!prepared.shadows_are_stale());
     }
-    prepared.remake();
+    prepared.redraw_shadows();
     assert!(prepared.shadows_are_stale());
     assert!(stage.frame(&prepared) == first);
     stage.update(&mut prepared, &View { options: Options::default(), ..view });

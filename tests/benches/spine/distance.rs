@@ -50,7 +50,7 @@ impl Bench<'_> {
             distances.flat_map(|times| SETTINGS.map(|(pixels, detail)| (times, pixels, self.view_from(times, detail)))).collect();
         let fur = |view| Fur::new(self.headless, stage, coat, view).expect("a whole coat");
         let furs: Vec<Fur> = views.iter().map(|(.., view)| fur(view)).collect();
-        let ours = |fur, name: &str| Contender::ours(self.headless, stage, fur, name, true).expect("the device answers");
+        let ours = |fur, name: &str| Contender::ours(self.headless, stage, fur, name, false).expect("the device answers");
         let finishes = self.race(stage, furs.iter().zip(&views).map(|(fur, (_, pixels, _))| ours(fur, pixels)).collect(), [0, 0]);
         println!("\n{model}, far away, by the least pixels between shells; times over the first");
         println!(

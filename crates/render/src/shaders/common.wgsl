@@ -24,22 +24,24 @@ struct Frame {
     casting: vec4f,       // the fur's length in that view's depth, shells that one that casts stands for, a bias in diameters; layers that a shell shows
 };
 
-// A shell: mirrors schedule.rs.
+// A shell: mirrors schedule.rs. Of two numbers in one word the upper is that of the level of detail which this one becomes.
 struct Shell {
     height: f32,
     light_height: f32,
-    image: u32,
-    direction: u32,  // image of the direction map; in the upper half, that of the level which this one becomes
-    opacity: f32,
-    layers: f32,     // α becomes 1 − (1 − α)^layers
-    step: f32,       // to the next shell, in heights
-    above: u32,      // the shell that shades it; in the upper half, once this level has become the next
-    top: f32,        // where it is drawn: at its height, unless it marches while levels of detail blend
+    step: f32,         // to the next shell, in heights
+    images: u32,
+    directions: u32,   // images of the direction map
+    above: u32,        // the shell that shades it
+    opacity: f32,      // multiplies α; then
+    layers: f32,       // α becomes 1 − (1 − α)^layers
+    later_opacity: f32,
+    later_layers: f32,
+    top: f32,          // where it is drawn: at its height, unless it marches while levels of detail blend
     top_light: f32,
-    bottom: f32,     // the lowest layer that it shows
+    bottom: f32,       // the lowest layer that it shows
     bottom_light: f32,
+    unused: vec2f,
 };
-
 
 struct Vertex {
     position: vec3f,

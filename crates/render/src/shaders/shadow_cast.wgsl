@@ -28,10 +28,8 @@ fn shadow_shell_vertex(
 }
 
 fn opacity_of(in: ShadowVertex) -> f32 {
-    let shell = shells[in.shell];
-    let covered = textureSample(shell_images, tile_sampler, in.tile.xy, shell.image).a * shell.opacity;
     // A shell that casts stands for those that are left out below it.
-    return thickened(covered, shell.layers * frame.casting.y) * clamp(in.tile.z, 0.0, 1.0) * clamp(in.tile.w, 0.0, 1.0);
+    return thickened(hair_at(in.tile.xy, in.shell, 0.0).a, frame.casting.y) * clamp(in.tile.z, 0.0, 1.0) * clamp(in.tile.w, 0.0, 1.0);
 }
 
 // Blended by the minimum.

@@ -4,7 +4,7 @@ struct ShellVertex {
     @builtin(position) position: vec4f,
     @location(0) tile: vec3f,  // tile coordinates, levels of blur
     @location(1) light: vec3f,  // the light, or what of it is not in `direct`
-    @location(2) @interpolate(flat) shell: vec2u,  // image, place among the shells
+    @location(2) @interpolate(flat) shell: u32,  // place among the shells
 #if KEPT
     @location(3) kept: vec2f,  // growth, what a cut leaves
 #endif
@@ -102,7 +102,7 @@ fn shell_vertex(
     let step = step_on_screen(clip, slope(v, shell.top) * shell.step);
     let blur = level_bias(step, dot(v.normal, normalize(frame.eye.xyz - place)));
     out.tile = vec3f(tile, blur);
-    out.shell = vec2u(shell.image, place_among);
+    out.shell = place_among;
 #if KEPT
     out.kept = vec2f(growth_of(v.offset), cut_of(v.end, shell.top));
 #endif
@@ -161,23 +161,15 @@ fn first_light(v: Vertex, direction: vec3f, toward_eye: vec3f, depth: f32) -> ve
 }
 #endif
 
-// A shell's image at a place of the tile.
-fn hair_at(tile: vec2f, place_among: u32, image: u32, blur: f32) -> vec4f {
-    let hair = textureSampleBias(shell_images, tile_sampler, tile, image, blur);
-#if THICKENED
-    return thickened_hair(hair, shells[place_among].opacity, shells[place_among].layers);
-#else
-    return hair;
-#endif
-}
-
 #if MAP
 // Which way the hair goes, from 0 to 1 along each axis; `images` are those of this level and of the one it becomes.
 fn mapped_direction(tile: vec2f, images: u32, blur: f32) -> vec3f {
     var direction = textureSampleBias(hair_directions, tile_sampler, tile, images & 0xffffu, blur).xyz;
-    if frame.toward_eye.w > 0.0 {
-        direction = mix(direction, textureSampleBias(hair_directions, tile_sampler, tile, images >> 16u, blur).xyz, frame.toward_eye.w);
+#if LEVELS
+    if later() > 0.0 {
+        direction = mix(direction, textureSampleBias(hair_directions, tile_sampler, tile, images >> 16u, blur).xyz, later());
     }
+#endif
     return direction;
 }
 #endif
@@ -187,7 +179,7 @@ fn mapped_direction(tile: vec2f, images: u32, blur: f32) -> vec3f {
 fn covered_by(in: ShellVertex, tile: vec2f, place_among: u32, above: u32) -> f32 {
     let rise = shells[above].height - shells[place_among].height;
     let over = tile + aside(in.toward_light, 0.15) * rise;
-    let covered = hair_at(over, above, shells[above].image, in.tile.z).a;
+    let covered = hair_at(over, above, in.tile.z).a;
     // Nothing is above the outermost.
     return covered * select(0.0, 1.0, in.toward_light.z > 0.0 && rise > 0.0);
 }
@@ -196,9 +188,11 @@ fn covered_by(in: ShellVertex, tile: vec2f, place_among: u32, above: u32) -> f32
 fn shaded(in: ShellVertex, tile: vec2f, place_among: u32) -> f32 {
     let above = shells[place_among].above;
     var covered = covered_by(in, tile, place_among, above & 0xffffu);
-    if frame.toward_eye.w > 0.0 {
-        covered = mix(covered, covered_by(in, tile, place_among, above >> 16u), frame.toward_eye.w);
+#if LEVELS
+    if later() > 0.0 {
+        covered = mix(covered, covered_by(in, tile, place_among, above >> 16u), later());
     }
+#endif
     return covered;
 }
 #endif
@@ -210,7 +204,7 @@ fn first_response(in: ShellVertex, tile: vec2f, place_among: u32) -> vec3f {
 #if PIXEL
     var cosines = in.cosines.xy;
 #if MAP
-    let mapped = mapped_direction(tile, shells[place_among].direction, in.tile.z) * 2.0 - 1.0;
+    let mapped = mapped_direction(tile, shells[place_among].directions, in.tile.z) * 2.0 - 1.0;
     cosines = vec2f(dot(mapped, in.light_in_tile), dot(mapped, in.half_in_tile));
 #endif
     response = reflected(factors(cosines.x, cosines.y) * vec2f(1.0, in.cosines.z));
@@ -238,11 +232,11 @@ fn shell_light(in: ShellVertex, tile: vec2f, place_among: u32) -> vec3f {
 fn shell_colour(in: ShellVertex) -> vec4f {
     let steps = u32(frame.screen.w);
     let slide = aside(in.inward, 0.1);
-    let top = shells[in.shell.y].top;
-    let depth = max(top - shells[in.shell.y].bottom, 1e-6);
+    let top = shells[in.shell].top;
+    let depth = max(top - shells[in.shell].bottom, 1e-6);
     var sum = vec4f(0.0);
     for (var i = 0u; i < u32(frame.casting.w) * steps; i++) {
-        let layer = i32(in.shell.y) - i32(i / steps);
+        let layer = i32(in.shell) - i32(i / steps);
         // Below the innermost there is the skin.
         let there = select(0.0, 1.0, layer >= 1);
         let upper = u32(max(layer, 1));
@@ -250,10 +244,10 @@ fn shell_colour(in: ShellVertex) -> vec4f {
         let between = f32(i % steps) / f32(steps);
         let height = mix(shells[upper].height, shells[below].height, between);
         let tile = in.tile.xy + slide * (top - height);
-        var hair = hair_at(tile, upper, shells[upper].image, in.tile.z);
+        var hair = hair_at(tile, upper, in.tile.z);
         if steps > 1u {
             // A sample of the volume between two layers stands for a part of one.
-            hair = mix(hair, hair_at(tile, below, shells[below].image, in.tile.z), between);
+            hair = mix(hair, hair_at(tile, below, in.tile.z), between);
             hair = thickened_hair(hair, 1.0, 1.0 / f32(steps));
         }
         hair *= kept(in, top - height);
@@ -268,8 +262,8 @@ fn shell_colour(in: ShellVertex) -> vec4f {
 }
 #else
 fn shell_colour(in: ShellVertex) -> vec4f {
-    let hair = hair_at(in.tile.xy, in.shell.y, in.shell.x, in.tile.z) * kept(in, 0.0);
-    return vec4f(hair.rgb * shell_light(in, in.tile.xy, in.shell.y), hair.a);
+    let hair = hair_at(in.tile.xy, in.shell, in.tile.z) * kept(in, 0.0);
+    return vec4f(hair.rgb * shell_light(in, in.tile.xy, in.shell), hair.a);
 }
 #endif
 
@@ -314,7 +308,7 @@ fn shell_covering(in: ShellVertex) -> Covered {
     }
     // Interleaved gradient noise (Jimenez 2014) over pixels, steps of the golden and the plastic ratio over shells.
     let pixel = fract(52.9829189 * fract(dot(floor(in.position.xy), vec2f(0.06711056, 0.00583715))));
-    let shell = f32(in.shell.y);
+    let shell = f32(in.shell);
     let count = min(u32(colour.a * f32(SAMPLES) + fract(pixel + shell * 0.61803399)), SAMPLES);
     let first = u32(fract(7.0 * pixel + shell * 0.7548777) * f32(SAMPLES));
     let samples = ((1u << count) - 1u) << first;

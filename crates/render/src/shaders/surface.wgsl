@@ -43,6 +43,17 @@ fn surface_vertex(@location(0) index: u32, @location(1) tile: vec2f) -> SurfaceV
     return out;
 }
 
+// The skin, with the hair on it that coarse levels of detail have there.
+fn skin_at(tile: vec2f) -> vec3f {
+    var seen = textureSample(shell_images, tile_sampler, tile, shells[0].images & 0xffffu).rgb;
+#if LEVELS
+    if later() > 0.0 {
+        seen = mix(seen, textureSample(shell_images, tile_sampler, tile, shells[0].images >> 16u).rgb, later());
+    }
+#endif
+    return seen;
+}
+
 @fragment
 fn surface_fragment(in: SurfaceVertex) -> @location(0) vec4f {
 #if SHADOW_MAP
@@ -52,7 +63,7 @@ fn surface_fragment(in: SurfaceVertex) -> @location(0) vec4f {
     let shadow = 1.0;
     let light = in.light;
 #endif
-    let under_fur = textureSample(shell_images, tile_sampler, in.tile.xy, shells[0].image).rgb * light;
+    let under_fur = skin_at(in.tile.xy) * light;
 #if GROWN
     return vec4f(under_fur, 1.0);
 #else
