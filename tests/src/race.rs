@@ -124,7 +124,11 @@ impl Fur {
         Ok(self.view.shell_faces(headless.device(), headless.queue())?)
     }
 
-    fn triangles(&self, headless: &Headless) -> Result<u64, Error> {
+    /// How many triangles are drawn, after a first frame.
+    ///
+    /// # Errors
+    /// A device that does not answer.
+    pub fn triangles(&self, headless: &Headless) -> Result<u64, Error> {
         Ok(self.view.frame_stats(headless.device(), headless.queue())?.triangles)
     }
 

@@ -165,6 +165,6 @@ impl Frame {
 /// What the shaders are compiled for.
 fn variant(coat: &GpuCoat, view: &View, schedule: &Schedule, crowd: bool) -> Variant {
     let grown = coat.shortest * view.options.length_scale >= GROWTH_LENGTH;
-    let variant = Variant::new(view, coat.traits, schedule.is_thickened(), grown);
+    let variant = Variant::new(view, coat.traits, [schedule.is_thickened(), schedule.blend > 0.0, grown]);
     if crowd { variant.instanced() } else { variant }
 }

@@ -46,7 +46,7 @@ pub(crate) struct Variant {
     bent: bool,
     /// Hair is cut off somewhere.
     cut: bool,
-    /// There are levels of detail to blend.
+    /// Two levels of detail are blended.
     levels: bool,
     /// Shells are more or less than their image.
     thickened: bool,
@@ -93,8 +93,8 @@ pub(crate) struct CoatTraits {
 }
 
 impl Variant {
-    /// For a view of a coat; `thickened` as the schedule says, `grown` as the coat's shortest hair does.
-    pub(crate) fn new(view: &View, coat: CoatTraits, thickened: bool, grown: bool) -> Self {
+    /// For a view of a coat; `thickened` and `levels` as the schedule says, `grown` as the coat's shortest hair does.
+    pub(crate) fn new(view: &View, coat: CoatTraits, [thickened, levels, grown]: [bool; 3]) -> Self {
         let options = &view.options;
         let lighting = match options.lighting {
             LightingMode::PerPatch => Lit::Patch,
@@ -114,7 +114,7 @@ impl Variant {
             map: per_pixel && options.direction_map && coat.direction_map,
             bent: coat.bent,
             cut: coat.cut,
-            levels: coat.levels,
+            levels,
             thickened,
             hair_shadow: options.hair_shadow > 0.0,
             shadow_map: options.shadows.is_some(),
@@ -141,7 +141,7 @@ impl Variant {
             ("MAP", self.map),
             ("BENT", self.bent),
             ("CUT", self.cut),
-            ("LEVELS", self.levels && !self.instanced),
+            ("LEVELS", self.levels),
             ("THICKENED", self.thickened),
             ("HAIR_SHADOW", self.hair_shadow),
             ("GROWN", self.grown),
@@ -360,15 +360,15 @@ mod tests {
         let camera = Camera { eye: Vec3::Z, target: Vec3::ZERO, up: Vec3::Y, field_of_view: 1.0, near: 0.1 };
         let lights = Lights { directional: vec![], ambient: Irradiance::hemisphere(Vec3::ONE, Vec3::ZERO) };
         let mut view = View::new(camera, lights);
-        assert_eq!(Variant::new(&view, CoatTraits::default(), false, true).flags(), ["GROWN", "SKY"]);
+        assert_eq!(Variant::new(&view, CoatTraits::default(), [false, false, true]).flags(), ["GROWN", "SKY"]);
         view.options.lighting = LightingMode::Formula;
         view.lights.ambient.0[4] = Vec3::X;
         let all = CoatTraits { bent: true, cut: true, direction_map: true, levels: true };
         assert_eq!(
-            Variant::new(&view, all, true, false).flags(),
+            Variant::new(&view, all, [true, true, false]).flags(),
             ["PIXEL", "MAP", "BENT", "CUT", "LEVELS", "THICKENED", "KEPT", "SPLIT", "AXES"]
         );
         view.options.direction_map = false;
-        assert_eq!(Variant::new(&view, all, false, true).flags(), ["PIXEL", "BENT", "CUT", "LEVELS", "GROWN", "KEPT", "SPLIT"]);
+        assert_eq!(Variant::new(&view, all, [false, false, true]).flags(), ["PIXEL", "BENT", "CUT", "GROWN", "KEPT", "SPLIT"]);
     }
 }

@@ -62,7 +62,7 @@ fn main() {
         }
         if wanted("far") {
             let levels = scenes.coat(Textures { through: &["LevelsOfDetail"], ..Textures::default() }).expect("a coat");
-            far.extend(bench.far(&levels, &model.name));
+            far.extend(bench.far(&levels, &coat, &model.name));
         }
         if wanted("options") {
             bench.options(&coat, &mut scenes, &model.name);
@@ -101,8 +101,10 @@ impl Bench<'_> {
         &self.stages[usize::from(samples > 1)]
     }
 
-    fn floor(&self, stage: &Stage, coat: &Coat, faces: &[[u32; 3]]) -> Floor {
-        Floor::new(self.headless.device(), self.headless.queue(), stage.target, coat, &self.view, faces)
+    /// The same draw as a view of ours.
+    fn floor(&self, stage: &Stage, coat: &Coat, view: &View, ours: &Fur) -> Floor {
+        let faces = ours.faces(self.headless, stage).expect("the device answers");
+        Floor::new(self.headless.device(), self.headless.queue(), stage.target, coat, view, &faces)
     }
 
     fn race(&self, stage: &Stage, contenders: Vec<Contender<'_>>, to: [usize; 2]) -> Vec<Finish> {
@@ -114,7 +116,7 @@ impl Bench<'_> {
         let stage = self.stage(samples);
         let (device, queue) = (self.headless.device(), self.headless.queue());
         let fur = Fur::new(self.headless, stage, coat, &self.view).expect("a whole coat");
-        let floor = self.floor(stage, coat, &fur.faces(self.headless, stage).expect("the device answers"));
+        let floor = self.floor(stage, coat, &self.view, &fur);
         let plain = Plain::new(device, queue, stage.target, coat, &self.view);
         let ours = Contender::ours(self.headless, stage, &fur, "ours (default)", false).expect("the device answers");
         let count = (ours.fragments.unwrap_or(0) as f64 / f64::from(SIZE.0 * SIZE.1 * samples)).round().max(1.0) as u32;

@@ -38,7 +38,7 @@ impl Bench<'_> {
     fn cases(&self, coat: &Arc<Coat>, scenes: &mut Scenes<'_>, cases: &[Case<'_>], samples: u32, hidden: bool) {
         let stage = self.stage(samples);
         let default = Fur::new(self.headless, stage, coat, &self.view).expect("a whole coat");
-        let floor = self.floor(stage, coat, &default.faces(self.headless, stage).expect("the device answers"));
+        let floor = self.floor(stage, coat, &self.view, &default);
         let mut two_passes = Fur::new(self.headless, stage, coat, &self.view).expect("a whole coat");
         let furs: Vec<(&Case<'_>, Fur)> = cases
             .iter()

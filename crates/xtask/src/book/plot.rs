@@ -14,7 +14,8 @@ const PLOT: &str = "book/src/pictures/distance.svg";
 const SIZE: (u32, u32) = (760, 400);
 
 /// Curves by the least pixels between two shells, and what they are called.
-const CURVES: [(&str, &str, RGBColor); 3] = [
+const CURVES: [(&str, &str, RGBColor); 4] = [
+    ("floor", "all shells, the same draw without lighting", RGBColor(190, 190, 190)),
     ("all", "all shells", RGBColor(90, 90, 90)),
     ("0.25", "0.25 pixels between shells (default)", RGBColor(31, 119, 180)),
     ("1", "1 pixel between shells", RGBColor(214, 96, 20)),
