@@ -1,0 +1,53 @@
+//! The strands as curves, for other ray tracers to check us.
+
+use std::io::{self, Write};
+
+use crate::Scene;
+
+impl Scene<'_> {
+    /// Every hair as laid: places and radii from root to tip, in coat coordinates. A hair that an outline cuts, or that leaves a patch and comes back, is several.
+    pub fn curves(&self) -> Vec<Vec<[f32; 4]>> {
+        let mut order: Vec<u32> = (0..self.origins.len() as u32).collect();
+        let key = |number: u32| {
+            let origin = &self.origins[number as usize];
+            (origin.copy, origin.strand, origin.along[0].to_bits(), number)
+        };
+        order.sort_unstable_by_key(|&number| key(number));
+        let mut curves: Vec<Vec<[f32; 4]>> = Vec::new();
+        let mut last: Option<u32> = None;
+        for number in order {
+            let segment = &self.tree.segments[number as usize];
+            let [from, to] = [0, 1].map(|k| [segment.ends[k][0], segment.ends[k][1], segment.ends[k][2], segment.radii[k]]);
+            match curves.last_mut().filter(|_| last.is_some_and(|last| self.goes_on(last, number))) {
+                Some(curve) => curve.push(to),
+                None => curves.push(vec![from, to]),
+            }
+            last = Some(number);
+        }
+        curves
+    }
+
+    /// Whether one segment begins where another ends: the same hair, and the same place but for rounding.
+    fn goes_on(&self, before: u32, after: u32) -> bool {
+        let [a, b] = [before, after].map(|number| &self.origins[number as usize]);
+        let [end, start] = [self.tree.segments[before as usize].axis()[1], self.tree.segments[after as usize].axis()[0]];
+        let radius = f64::from(self.tree.segments[before as usize].radii[1]);
+        (a.copy, a.strand) == (b.copy, b.strand) && end.distance(start) <= 1e-6 * (1.0 + end.length()) + 1e-3 * radius
+    }
+
+    /// Writes the curves as text: `x y z radius` a line, a blank line between strands, in coat coordinates.
+    ///
+    /// # Errors
+    /// What the writer says.
+    pub fn write_curves(&self, mut out: impl Write) -> io::Result<()> {
+        for (number, curve) in self.curves().iter().enumerate() {
+            if number > 0 {
+                writeln!(out)?;
+            }
+            for [x, y, z, radius] in curve {
+                writeln!(out, "{x} {y} {z} {radius}")?;
+            }
+        }
+        out.flush()
+    }
+}

@@ -1,0 +1,153 @@
+//! Shell space over one face: where a place of the tile at a height is on the surface.
+
+use glam::{DVec2, DVec3, Vec3};
+use pelage_coat::{Coat, Surface};
+
+/// Fur shorter than this, in diameters, is there in proportion only, as the renderer has it: fur without length is no fur.
+pub(crate) const GROWTH_LENGTH: f64 = 1e-3;
+
+/// A coat and how much longer its fur is laid.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Skin<'a> {
+    pub(crate) coat: &'a Coat,
+    pub(crate) length_scale: f64,
+}
+
+/// Positions and hair curves at three corners: S(β, h) = Σ β_i (p_i + c_i h + b_i (h² − h)).
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Sheet {
+    places: [DVec3; 3],
+    offsets: [DVec3; 3],
+    bends: [DVec3; 3],
+}
+
+/// A face of a patch with the tile on it.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct FaceMap {
+    pub(crate) sheet: Sheet,
+    pub(crate) corners: [DVec2; 3],
+    pub(crate) ends: [f64; 3],
+    pub(crate) growths: [f64; 3],
+    /// Twice the signed area in tiles.
+    area: f64,
+}
+
+/// What the skin under a place has, interpolated.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct SkinPoint {
+    pub(crate) normal: DVec3,
+    /// The mean of the hair's directions.
+    pub(crate) direction: DVec3,
+    pub(crate) colour: DVec3,
+    /// Clamped to 0 … 1.
+    pub(crate) growth: f64,
+}
+
+impl Skin<'_> {
+    /// The surface vertices of a face's corners.
+    pub(crate) fn vertices(&self, face: usize) -> [usize; 3] {
+        self.coat.patches.faces[face].map(|corner| self.coat.patches.vertices[corner as usize] as usize)
+    }
+
+    /// The face's map; none where the tile has no area on it, or it no area.
+    pub(crate) fn map(&self, face: usize) -> Option<FaceMap> {
+        let surface = &self.coat.surface;
+        let vertices = self.vertices(face);
+        let corners = self.coat.patches.faces[face].map(|corner| self.coat.patches.coordinates[corner as usize].as_dvec2());
+        let [first, second] = [corners[1] - corners[0], corners[2] - corners[0]];
+        let area = first.perp_dot(second);
+        let long = first.length_squared().max(second.length_squared());
+        // Also where NaN came of it.
+        if !(area.abs() > 1e-12 * long) {
+            return None;
+        }
+        let sheet = Sheet {
+            places: vertices.map(|v| surface.positions[v].as_dvec3()),
+            offsets: vertices.map(|v| surface.offsets[v].as_dvec3() * self.length_scale),
+            bends: vertices.map(|v| surface.bends[v].as_dvec3() * self.length_scale),
+        };
+        let ends = vertices.map(|v| f64::from(surface.ends[v]));
+        Some(FaceMap { growths: vertices.map(|v| self.growth_at(v)), sheet, corners, ends, area })
+    }
+
+    /// The skin's own values at barycentric coordinates of a face.
+    pub(crate) fn point(&self, face: usize, beta: DVec3) -> SkinPoint {
+        let surface: &Surface = &self.coat.surface;
+        let vertices = self.vertices(face);
+        let mixed = |array: &[Vec3]| mix(vertices.map(|v| array[v].as_dvec3()), beta);
+        SkinPoint {
+            normal: mixed(&surface.normals).normalize_or_zero(),
+            direction: mixed(&surface.directions),
+            colour: mixed(&surface.colours),
+            growth: self.growth(face, beta),
+        }
+    }
+
+    /// How much of its fur a place has: interpolated, then clamped.
+    pub(crate) fn growth(&self, face: usize, beta: DVec3) -> f64 {
+        DVec3::from(self.vertices(face).map(|v| self.growth_at(v))).dot(beta).clamp(0.0, 1.0)
+    }
+
+    /// How much of its fur a vertex has, 1 and more for all.
+    pub(crate) fn growth_at(&self, vertex: usize) -> f64 {
+        self.coat.surface.offsets[vertex].as_dvec3().length() * self.length_scale / GROWTH_LENGTH
+    }
+}
+
+/// Σ β_i v_i.
+fn mix(values: [DVec3; 3], beta: DVec3) -> DVec3 {
+    values[0] * beta.x + values[1] * beta.y + values[2] * beta.z
+}
+
+impl Sheet {
+    pub(crate) fn place(&self, beta: DVec3, height: f64) -> DVec3 {
+        mix(self.places, beta) + mix(self.offsets, beta) * height + mix(self.bends, beta) * (height * height - height)
+    }
+
+    /// Twice the derivative of the way as β and h run evenly, differentiated: linear on the way, so largest at one of its ends.
+    pub(crate) fn second_derivative(&self, beta: DVec3, height: f64, turn: DVec3, rise: f64) -> DVec3 {
+        2.0 * rise * (mix(self.offsets, turn) + (2.0 * height - 1.0) * mix(self.bends, turn)) + 2.0 * rise * rise * mix(self.bends, beta)
+    }
+
+    /// The same positions with one curve everywhere: that at a place of the face.
+    pub(crate) fn with_curve_of(&self, beta: DVec3) -> Self {
+        Self { places: self.places, offsets: [mix(self.offsets, beta); 3], bends: [mix(self.bends, beta); 3] }
+    }
+
+    /// Twice the area of the shell at a height.
+    fn area(&self, height: f64) -> f64 {
+        let corner = |k: usize| self.places[k] + self.offsets[k] * height + self.bends[k] * (height * height - height);
+        let origin = corner(0);
+        (corner(1) - origin).cross(corner(2) - origin).length()
+    }
+}
+
+impl FaceMap {
+    /// Barycentric coordinates of a place of the tile plane.
+    pub(crate) fn barycentric(&self, place: DVec2) -> DVec3 {
+        let [a, b, c] = self.corners.map(|corner| corner - place);
+        let beta = DVec2::new(b.perp_dot(c), c.perp_dot(a)) / self.area;
+        DVec3::new(beta.x, beta.y, 1.0 - beta.x - beta.y)
+    }
+
+    /// The side of a tile on the shell at a height: of the square of the same area.
+    pub(crate) fn side(&self, height: f64) -> f64 {
+        (self.sheet.area(height) / self.area.abs()).sqrt()
+    }
+
+    /// The box around it in the tile plane.
+    pub(crate) fn bounds(&self) -> (DVec2, DVec2) {
+        let [a, b, c] = self.corners;
+        (a.min(b).min(c), a.max(b).max(c))
+    }
+
+    /// Whether the face faces up in the tile.
+    pub(crate) fn is_anticlockwise(&self) -> bool {
+        self.area > 0.0
+    }
+
+    /// Whether it has any fur.
+    pub(crate) fn is_furred(&self) -> bool {
+        self.growths.iter().any(|&growth| growth > 0.0)
+    }
+}
