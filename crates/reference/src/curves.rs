@@ -4,9 +4,36 @@ use std::io::{self, Write};
 
 use crate::Scene;
 
+/// Hair as curves: of each its places and radii from root to tip, `[x, y, z, radius]`, in coat coordinates.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Curves(pub Vec<Vec<[f32; 4]>>);
+
+impl Curves {
+    /// Writes them as text: `x y z radius` a line, a blank line between curves.
+    ///
+    /// # Errors
+    /// What the writer says.
+    pub fn write(&self, mut out: impl Write) -> io::Result<()> {
+        for (number, curve) in self.0.iter().enumerate() {
+            if number > 0 {
+                writeln!(out)?;
+            }
+            for [x, y, z, radius] in curve {
+                writeln!(out, "{x} {y} {z} {radius}")?;
+            }
+        }
+        out.flush()
+    }
+
+    /// Bytes of all points.
+    pub fn byte_size(&self) -> usize {
+        self.0.iter().map(|curve| size_of_val(&curve[..])).sum()
+    }
+}
+
 impl Scene<'_> {
-    /// Every hair as laid: places and radii from root to tip, in coat coordinates. A hair that an outline cuts, or that leaves a patch and comes back, is several.
-    pub fn curves(&self) -> Vec<Vec<[f32; 4]>> {
+    /// Every hair as laid. One that an outline cuts, or that leaves a patch and comes back, is several curves.
+    pub fn curves(&self) -> Curves {
         let mut order: Vec<u32> = (0..self.origins.len() as u32).collect();
         let key = |number: u32| {
             let origin = &self.origins[number as usize];
@@ -24,7 +51,7 @@ impl Scene<'_> {
             }
             last = Some(number);
         }
-        curves
+        Curves(curves)
     }
 
     /// Whether one segment begins where another ends: the same hair, and the same place but for rounding.
@@ -33,21 +60,5 @@ impl Scene<'_> {
         let [end, start] = [self.tree.segments[before as usize].axis()[1], self.tree.segments[after as usize].axis()[0]];
         let radius = f64::from(self.tree.segments[before as usize].radii[1]);
         (a.copy, a.strand) == (b.copy, b.strand) && end.distance(start) <= 1e-6 * (1.0 + end.length()) + 1e-3 * radius
-    }
-
-    /// Writes the curves as text: `x y z radius` a line, a blank line between strands, in coat coordinates.
-    ///
-    /// # Errors
-    /// What the writer says.
-    pub fn write_curves(&self, mut out: impl Write) -> io::Result<()> {
-        for (number, curve) in self.curves().iter().enumerate() {
-            if number > 0 {
-                writeln!(out)?;
-            }
-            for [x, y, z, radius] in curve {
-                writeln!(out, "{x} {y} {z} {radius}")?;
-            }
-        }
-        out.flush()
     }
 }

@@ -100,6 +100,7 @@ mod shade;
 mod tree;
 mod triangle;
 
+pub use curves::Curves;
 pub use error::{FARTHEST, MOST_SEGMENTS, MOST_TILES, ReferenceError};
 pub use image::Image;
 pub use scene::{Counts, Scene};
