@@ -61,7 +61,7 @@ impl Span {
     fn take_cone(&mut self, from_first: DVec3, direction: DVec3, axis: DVec3, radii: [f64; 2]) {
         let narrowing = radii[0] - radii[1];
         let squared = axis.length_squared() - narrowing * narrowing;
-        if !(squared > 0.0) {
+        if squared <= 0.0 {
             return;
         }
         let (along, slope) = (axis.dot(from_first) - narrowing * radii[0], axis.dot(direction));

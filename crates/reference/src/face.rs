@@ -57,8 +57,7 @@ impl Skin<'_> {
         let [first, second] = [corners[1] - corners[0], corners[2] - corners[0]];
         let area = first.perp_dot(second);
         let long = first.length_squared().max(second.length_squared());
-        // Also where NaN came of it.
-        if !(area.abs() > 1e-12 * long) {
+        if area.abs() <= 1e-12 * long {
             return None;
         }
         let sheet = Sheet {

@@ -1,6 +1,6 @@
 //! What light leaves a place of hair or skin.
 
-use glam::DVec3;
+use glam::{DVec3, Vec3};
 use pelage_coat::Lights;
 use pelage_lighting::{DirectionalLight, HairPoint, Illumination, Irradiance, SelfShadow, Shading};
 
@@ -35,7 +35,7 @@ impl Lamps {
             let direction = direction.ok_or(ReferenceError::Light { light: number })?;
             directional.push(DirectionalLight { direction, colour: light.colour.as_dvec3() });
         }
-        let ambient = Irradiance(lights.ambient.0.map(|term| term.as_dvec3()));
+        let ambient = Irradiance(lights.ambient.0.map(Vec3::as_dvec3));
         let alone = directional.iter().map(|&light| Illumination { lights: vec![light], ambient: Irradiance::default() }).collect();
         Ok(Self {
             shading: *shading,

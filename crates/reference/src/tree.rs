@@ -77,7 +77,7 @@ impl Tree {
             let [ra, rb] = segment.radii.map(Vec3A::splat);
             Aabb::new((a - ra).min(b - rb), (a + ra).max(b + rb))
         });
-        let skin = triangles.iter().map(|corners| Aabb::from_points(&corners.map(|corner| corner.as_vec3a())));
+        let skin = triangles.iter().map(|corners| Aabb::from_points(&corners.map(DVec3::as_vec3a)));
         let mut boxes: Vec<Boxed> = hair.chain(skin).map(Boxed).collect();
         let all = boxes.iter().fold(Aabb::INVALID, |all, one| all.union(&one.0));
         let pad = Vec3A::splat(PADDING * all.min.abs().max(all.max.abs()).max_element());
@@ -148,7 +148,7 @@ impl Tree {
         stack.clear();
         stack.push((slabs.enters(self.bvh.nodes[0].aabb(), bound(limit)), 0));
         while let Some((enter, node)) = stack.pop() {
-            if !(enter <= bound(limit)) || enter == f32::INFINITY {
+            if enter > bound(limit) || enter == f32::INFINITY {
                 continue;
             }
             let node = &self.bvh.nodes[node as usize];

@@ -34,9 +34,9 @@ mod tests {
         let rim: Vec<DVec3> =
             (0..7).map(|k| middle + DVec3::new((0.9 * f64::from(k)).cos(), (0.9 * f64::from(k)).sin(), 0.1 * f64::from(k % 2))).collect();
         let faces: Vec<[DVec3; 3]> = (0..6).map(|k| [middle, rim[k], rim[k + 1]]).collect();
-        for k in 1..6 {
+        for (k, &end) in rim.iter().enumerate().take(6).skip(1) {
             for step in 0..200 {
-                let target = middle.lerp(rim[k], f64::from(step) / 199.0 * 0.99);
+                let target = middle.lerp(end, f64::from(step) / 199.0 * 0.99);
                 let origin = DVec3::new(0.3 - 0.01 * f64::from(step), 0.7, 3.0 + 0.1 * k as f64);
                 let ray = Ray { origin, direction: (target - origin).normalize(), from: 0.0, to: f64::INFINITY };
                 let hits: Vec<Crossing> = faces.iter().filter_map(|&face| crossing(&ray, face)).collect();

@@ -50,7 +50,7 @@ pub(crate) fn lay(coat: &Coat, tile: &StrandTile, laying: &Laying) -> Result<Lai
         }
         let (low, high) = map.bounds();
         let tiles = (high - low + DVec2::ONE).element_product();
-        if !(tiles <= MOST_TILES) {
+        if tiles > MOST_TILES {
             return Err(ReferenceError::TooManyTiles { face, tiles });
         }
         // Nothing more is laid once there is too much, in the middle of a large face too.
@@ -105,7 +105,7 @@ fn checked<'a>(coat: &'a Coat, tile: &StrandTile, laying: &Laying) -> Result<Ski
         let fur = surface.offsets[v].as_dvec3().length() + surface.bends[v].as_dvec3().length();
         surface.positions[v].as_dvec3().length() + fur * laying.length_scale.max(1.0)
     };
-    match (0..surface.positions.len()).find(|&v| !(reach(v) < FARTHEST)) {
+    match (0..surface.positions.len()).find(|&v| reach(v) >= FARTHEST) {
         Some(vertex) => Err(ReferenceError::TooFar { vertex }),
         None => Ok(Skin { coat, length_scale: laying.length_scale }),
     }

@@ -29,8 +29,7 @@ impl Track<'_> {
 
     /// Lays the part of the way from one to the other, as many straight segments as keep within `tolerance` radii.
     pub(super) fn lay(&self, part: [f64; 2], tolerance: f64, laid: &mut Laid) {
-        // Also where it is NaN.
-        if !(part[1] > part[0]) {
+        if part[1] <= part[0] {
             return;
         }
         let cuts = self.cuts(part, tolerance);
@@ -53,7 +52,7 @@ impl Track<'_> {
         let radii = part.map(|at| self.radius(at));
         let allowed = tolerance * radii[0].max(radii[1]);
         let most = bending[0].max(bending[1]);
-        if most == 0.0 || !(allowed > 0.0) { 1 } else { (most / (8.0 * allowed)).sqrt().ceil().clamp(1.0, MOST_CUTS) as u32 }
+        if most == 0.0 || allowed <= 0.0 { 1 } else { (most / (8.0 * allowed)).sqrt().ceil().clamp(1.0, MOST_CUTS) as u32 }
     }
 
     /// The strand's, times the side of a tile there.
@@ -73,7 +72,7 @@ impl Track<'_> {
     }
 
     fn push(&self, from: &Knot, to: &Knot, laid: &mut Laid) {
-        let far = |knot: &Knot| !(knot.place.abs().max_element() + knot.radius < FARTHEST);
+        let far = |knot: &Knot| !knot.place.is_finite() || knot.place.abs().max_element() + knot.radius >= FARTHEST;
         if far(from) || far(to) {
             laid.dropped += 1;
             return;
