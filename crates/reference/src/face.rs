@@ -69,6 +69,11 @@ impl Skin<'_> {
         Some(FaceMap { growths: vertices.map(|v| self.growth_at(v)), sheet, corners, ends, area })
     }
 
+    /// The height of a place a little `aside` of one of a face whose height is known.
+    pub(crate) fn height_beside(&self, face: usize, beta: DVec3, height: f64, aside: DVec3) -> f64 {
+        self.map(face).map_or(height, |map| map.sheet.height_beside(beta, height, aside))
+    }
+
     /// The skin's own values at barycentric coordinates of a face.
     pub(crate) fn point(&self, face: usize, beta: DVec3) -> SkinPoint {
         let surface: &Surface = &self.coat.surface;
@@ -113,11 +118,20 @@ impl Sheet {
         Self { places: self.places, offsets: [mix(self.offsets, beta); 3], bends: [mix(self.bends, beta); 3] }
     }
 
-    /// Twice the area of the shell at a height.
-    fn area(&self, height: f64) -> f64 {
+    /// Twice the area of the shell at a height, along its normal.
+    fn facing(&self, height: f64) -> DVec3 {
         let corner = |k: usize| self.places[k] + self.offsets[k] * height + self.bends[k] * (height * height - height);
         let origin = corner(0);
-        (corner(1) - origin).cross(corner(2) - origin).length()
+        (corner(1) - origin).cross(corner(2) - origin)
+    }
+
+    /// The height of a place a little `aside` of one whose height is known: that of the shell through it, to first order. 0 to 1.
+    fn height_beside(&self, beta: DVec3, height: f64, aside: DVec3) -> f64 {
+        let rise = mix(self.offsets, beta) + (2.0 * height - 1.0) * mix(self.bends, beta);
+        let normal = self.facing(height);
+        let (up, between) = (normal.dot(aside), normal.dot(rise));
+        // Where shells touch each other a place is on many.
+        if up.abs() < between.abs() { (height + up / between).clamp(0.0, 1.0) } else { height.clamp(0.0, 1.0) }
     }
 }
 
@@ -131,7 +145,7 @@ impl FaceMap {
 
     /// The side of a tile on the shell at a height: of the square of the same area.
     pub(crate) fn side(&self, height: f64) -> f64 {
-        (self.sheet.area(height) / self.area.abs()).sqrt()
+        (self.sheet.facing(height).length() / self.area.abs()).sqrt()
     }
 
     /// The box around it in the tile plane.

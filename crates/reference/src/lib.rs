@@ -28,7 +28,8 @@
 //!   probability, anew for each ray from the eye.
 //! - **Cut** exactly where the coat's `ends` are. Ends of hair are round, at cuts and at outlines as at tips: a cut hair reaches beyond by its radius.
 //! - **Straight** segments keep within [`Laying::tolerance`] radii of the true curve, in the tile and once more on the surface.
-//! - **Lit** by its own tangent, the skin's normal and colour under it, its own colour; see [`Shadows`] for what shades it.
+//! - **Lit** by its own tangent, the skin's normal and colour under its axis, its own colour, at the height of the place that is seen, which on top of a thick hair is
+//!   higher than its axis; see [`Shadows`] for what shades it.
 //!
 //! # Cost
 //! 76 bytes a segment and up to 68 for boxes. See the book's page for rays a second.

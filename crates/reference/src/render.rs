@@ -141,17 +141,20 @@ impl Picture<'_> {
 
     fn light(&self, ray: &Ray, hit: &Hit, sample: (u32, u32), scratch: &mut Scratch) -> DVec3 {
         match hit.met {
-            Met::Hair { segment, part } => self.hair_light(ray, segment, part, sample, scratch),
+            Met::Hair { segment, part } => self.hair_light(ray, hit.distance, (segment, part), sample, scratch),
             Met::Skin { face, beta } => self.skin_light(ray, hit.distance, (face, beta), sample, scratch),
         }
     }
 
-    fn hair_light(&self, ray: &Ray, number: usize, part: f64, sample: (u32, u32), scratch: &mut Scratch) -> DVec3 {
+    fn hair_light(&self, ray: &Ray, distance: f64, (number, part): (usize, f64), sample: (u32, u32), scratch: &mut Scratch) -> DVec3 {
         let (origin, segment) = (&self.scene.origins[number], &self.scene.tree.segments[number]);
-        let skin = self.scene.skin.point(origin.face as usize, origin.beta_at(part));
-        let hair = HairPoint { direction: segment.direction(), normal: skin.normal, height: origin.height_at(part) };
+        let (face, beta) = (origin.face as usize, origin.beta_at(part));
+        let skin = self.scene.skin.point(face, beta);
         let [from, to] = segment.axis();
         let axis = from.lerp(to, part);
+        // The light that gets to the place that is seen, as the shell through it has it, not to the middle of the hair.
+        let height = self.scene.skin.height_beside(face, beta, origin.height_at(part), ray.at(distance) - axis);
+        let hair = HairPoint { direction: segment.direction(), normal: skin.normal, height };
         let light =
             self.lamps.light(&Lit::Hair(hair), -ray.direction, |toward| self.is_dark(axis, toward, Some(origin.copy), sample, scratch));
         light * skin.colour * self.scene.hair_colour(origin.strand, origin.along_at(part))

@@ -133,6 +133,21 @@ fn hair_and_skin_are_lit_by_the_formula() {
 }
 
 #[test]
+fn light_gets_to_the_side_of_a_hair_that_is_seen() {
+    let (coat, shading) = (square(2, 1.0), Shading::default());
+    // Level at half of a fur a tenth long, and a fiftieth thick: its upper side is at 0.7 of the fur.
+    let tile = tile(&[hair(&[[0.2, 0.5, 0.5], [0.8, 0.5, 0.5]], &[0.02; 2])]);
+    let scene = Scene::new(&coat, &tile, &Laying::default()).unwrap();
+    let view = View { camera: above(Vec3::ZERO, 1e-4), lights: lights(), shading };
+    let image = scene.render(&view, &Settings { size: (1, 1), samples: 1, ..Settings::default() }, &quiet).unwrap();
+    let point = HairPoint { direction: DVec3::X, normal: DVec3::Z, height: 0.7 };
+    let wanted = shading.shade(&illumination(&lights()), DVec3::Z, &point);
+    for channel in 0..3 {
+        assert!((f64::from(image.pixels[0][channel]) - wanted[channel]).abs() < 1e-4, "{:?} for {wanted}", image.pixels[0]);
+    }
+}
+
+#[test]
 fn hair_too_short_to_count_is_there_in_part() {
     let tile = tile(&[hair(&[[0.5, 0.5, 0.0], [0.5, 0.5, 1.0]], &[0.3; 2])]);
     for part in [0.25f32, 0.7] {
