@@ -25,7 +25,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     let bytes = image.over(&Background { top: Vec3::splat(0.7), bottom: Vec3::splat(0.35) });
     image::RgbaImage::from_raw(image.width, image.height, bytes).ok_or("the pixels do not fill the picture")?.save(picture)?;
     if let Some(file) = curves {
-        scene.curves().write(BufWriter::new(File::create(file)?))?;
+        scene.curves()?.write(BufWriter::new(File::create(file)?))?;
     }
     Ok(())
 }

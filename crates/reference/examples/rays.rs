@@ -50,7 +50,7 @@ fn measure(coat: &Coat, tile: &StrandTile) -> Result<(), Box<dyn std::error::Err
         pictures[2 * k] = start.elapsed().as_secs_f64();
         pictures[2 * k + 1] = (image.camera_rays + image.shadow_rays) as f64 / pictures[2 * k] / 1e6;
     }
-    let rates = triangles(&flat(&scene.curves()), &view);
+    let rates = triangles(&flat(&scene.curves()?), &view);
     println!(
         "{}, {:.0} | {:.2} | {:.1} ({:.2}) | {:.1} ({:.2}) | {:.2}, {:.2}",
         counts.segments,

@@ -6,6 +6,12 @@ use pelage_coat::{Coat, Surface};
 /// Fur shorter than this, in diameters, is there in proportion only, as the renderer has it: fur without length is no fur.
 pub(crate) const GROWTH_LENGTH: f64 = 1e-3;
 
+/// From a hair's axis to its rim the map is nearly linear: the second step is already within a millionth of the radius on an ordinary face.
+const NEWTON_STEPS: usize = 3;
+
+/// No hair reaches further over the edge of a face than the face is wide.
+const FARTHEST_OVER: f64 = 1.0;
+
 /// A coat and how much longer its fur is laid.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Skin<'a> {
@@ -30,6 +36,24 @@ pub(crate) struct FaceMap {
     pub(crate) growths: [f64; 3],
     /// Twice the signed area in tiles.
     area: f64,
+}
+
+/// How far hair reaches over the bounds of a face's part of shell space.
+#[derive(Clone, Copy, Debug, Default)]
+pub(crate) struct Margins {
+    pub(crate) beta: DVec3,
+    pub(crate) height: f64,
+}
+
+impl Margins {
+    fn grown(self, beta: DVec3, height: f64) -> Self {
+        Self { beta: self.beta.max(beta.min(DVec3::splat(FARTHEST_OVER))), height: self.height.max(height.min(1.0)) }
+    }
+
+    /// Those of a part of the radius.
+    pub(crate) fn scaled(&self, part: f64) -> Self {
+        Self { beta: self.beta * part, height: self.height * part }
+    }
 }
 
 /// What the skin under a place has, interpolated.
@@ -125,6 +149,28 @@ impl Sheet {
         (corner(1) - origin).cross(corner(2) - origin)
     }
 
+    /// How β₁, β₂ and h change along x, y and z at a place of shell space: the rows of the inverse of the map's derivative. None where shells touch.
+    fn gradients(&self, beta: DVec3, height: f64) -> Option<[DVec3; 3]> {
+        let corner = |k: usize| self.places[k] + self.offsets[k] * height + self.bends[k] * (height * height - height);
+        let last = corner(2);
+        let (first, second) = (corner(0) - last, corner(1) - last);
+        let rise = mix(self.offsets, beta) + (2.0 * height - 1.0) * mix(self.bends, beta);
+        let volume = first.cross(second).dot(rise);
+        let least = 1e-9 * first.length() * second.length() * rise.length();
+        (volume.abs() > least).then(|| [second.cross(rise), rise.cross(first), first.cross(second)].map(|row| row / volume))
+    }
+
+    /// Where a place of the surface is in shell space, looked for from a place near it (Newton); none where it does not settle.
+    fn coordinates(&self, place: DVec3, (mut beta, mut height): (DVec3, f64)) -> Option<(DVec3, f64)> {
+        for _ in 0..NEWTON_STEPS {
+            let off = place - self.place(beta, height);
+            let step = self.gradients(beta, height)?.map(|row| row.dot(off));
+            beta += DVec3::new(step[0], step[1], -step[0] - step[1]);
+            height += step[2];
+        }
+        (beta.is_finite() && height.is_finite()).then_some((beta, height))
+    }
+
     /// The height of a place a little `aside` of one whose height is known: that of the shell through it, to first order. 0 to 1.
     fn height_beside(&self, beta: DVec3, height: f64, aside: DVec3) -> f64 {
         let rise = mix(self.offsets, beta) + (2.0 * height - 1.0) * mix(self.bends, beta);
@@ -150,8 +196,36 @@ impl FaceMap {
 
     /// The box around it in the tile plane.
     pub(crate) fn bounds(&self) -> (DVec2, DVec2) {
-        let [a, b, c] = self.corners;
+        self.bounds_with(&Margins::default())
+    }
+
+    /// The box around all places of the tile plane whose barycentric coordinates are negative by no more than the margins.
+    pub(crate) fn bounds_with(&self, margins: &Margins) -> (DVec2, DVec2) {
+        let all = margins.beta.element_sum();
+        let [a, b, c] = [0, 1, 2].map(|k| {
+            let mut beta = -margins.beta;
+            beta[k] = 1.0 + all - margins.beta[k];
+            self.corners[0] * beta.x + self.corners[1] * beta.y + self.corners[2] * beta.z
+        });
         (a.min(b).min(c), a.max(b).max(c))
+    }
+
+    /// How far hair of a radius, in tile sides, reaches in shell space from its axis.
+    pub(crate) fn margins(&self, radius: f64) -> Margins {
+        let middle = DVec3::splat(1.0 / 3.0);
+        [0.0, 0.5, 1.0].into_iter().fold(Margins::default(), |most, height| {
+            let reach = radius * self.side(height);
+            let Some([first, second, up]) = self.sheet.gradients(middle, height) else {
+                return most.grown(DVec3::splat(FARTHEST_OVER), 1.0);
+            };
+            most.grown(DVec3::new(first.length(), second.length(), (first + second).length()) * reach, up.length() * reach)
+        })
+    }
+
+    /// How far inside of the face's part of shell space a place is: barycentric coordinates, and the height that is left to the hair's end and to the outermost shell.
+    pub(crate) fn inside(&self, place: DVec3, near: (DVec3, f64)) -> Option<[f64; 5]> {
+        let (beta, height) = self.sheet.coordinates(place, near)?;
+        Some([beta.x, beta.y, beta.z, beta.dot(self.ends.into()) - height, 1.0 - height])
     }
 
     /// Whether the face faces up in the tile.

@@ -36,6 +36,7 @@ pub(crate) struct Hair {
     /// Where each strand's pieces end.
     ends: Vec<u32>,
     grid: Grid,
+    thickest: f64,
 }
 
 impl Hair {
@@ -54,7 +55,8 @@ impl Hair {
             return Err(ReferenceError::LongStrand { strand: long.strand as usize, tiles: long.tiles(), limit: MOST_TILES_CROSSED });
         }
         let grid = Grid::of(&pieces);
-        Ok(Self { pieces, ends, grid })
+        let thickest = pieces.iter().flat_map(|piece| piece.radii).fold(0.0, f64::max);
+        Ok(Self { pieces, ends, grid, thickest })
     }
 
     /// The pieces of each strand, from root to tip.
@@ -65,6 +67,11 @@ impl Hair {
             from = end as usize;
             &self.pieces[range]
         })
+    }
+
+    /// The largest radius, in tile sides.
+    pub(crate) fn thickest(&self) -> f64 {
+        self.thickest
     }
 
     /// Calls `visit` with every piece whose box touches the box from `low` to `high` of the tile plane, and by how many tiles it is to be moved; each once.

@@ -16,8 +16,8 @@
 //! face's tile coordinates, linear in them; *h* is the height in the tile over that of its box.
 //!
 //! # Two truths
-//! [`Placement::Shell`] is what infinitely many shells of infinite resolution would draw: all copies of the tile's hair, clipped to the faces they are over, and so
-//! cut at the outlines of patches. [`Placement::Free`] lays each hair whole whose root is on a face: its way over the surface goes on as that face's linear map has
+//! [`Placement::Shell`] is what infinitely many shells of infinite resolution would draw: all copies of the tile's hair, of each what is inside of the part of shell
+//! space of the faces of a patch, and so cut at the patch's outline. [`Placement::Free`] lays each hair whole whose root is on a face: its way over the surface goes on as that face's linear map has
 //! it, with the curve, colour and skin normal of its root. Their difference is what seams cost.
 //!
 //! # What a hair is
@@ -26,13 +26,14 @@
 //!   area of the tile's). A tile that is stretched one way keeps round hairs, of the mean width.
 //! - **Opaque**: strands have no opacity. Only fur shorter than a thousandth of the diameter is there in part, as in the renderer; a hair is then met with that
 //!   probability, anew for each ray from the eye.
-//! - **Cut** exactly where the coat's `ends` are. Ends of hair are round, at cuts and at outlines as at tips: a cut hair reaches beyond by its radius.
+//! - **Cut** in shell space exactly: at outlines, where the coat's `ends` are, and at the outermost shell, and rays meet the cut. Free hair is cut at its axis, with a
+//!   round end.
 //! - **Straight** segments keep within [`Laying::tolerance`] radii of the true curve, in the tile and once more on the surface.
 //! - **Lit** by its own tangent, the skin's normal and colour under its axis, its own colour, at the height of the place that is seen, which on top of a thick hair is
 //!   higher than its axis; see [`Shadows`] for what shades it.
 //!
 //! # Cost
-//! 76 bytes a segment and up to 68 for boxes. See the book's page for rays a second.
+//! 80 bytes a segment and up to 68 for boxes. See the book's page for rays a second.
 //!
 //! # Example
 //! One upright hair on a triangle, seen from the side:
@@ -81,6 +82,7 @@
 //! Lengyel, Praun, Finkelstein and Hoppe 2001 (*Real-time fur over arbitrary surfaces*: the tile, the patches, the lighting); I. Quilez (*Intersectors*: the rounded
 //! cone); B. Burley 2020 (*Practical hash-based Owen scrambling*: where rays go); P. Shirley and others on box-filtered distribution ray tracing, after Cook 1984.
 
+mod clip;
 mod cone;
 mod curves;
 mod error;

@@ -6,6 +6,8 @@ use glam::DVec3;
 use pelage_lighting::HairPoint;
 use rayon::prelude::*;
 
+use crate::clip;
+use crate::cone::{self, Span};
 use crate::eye::Eye;
 use crate::ray::Ray;
 use crate::sampler::{chance, pixel_seed, sample};
@@ -117,8 +119,8 @@ impl Picture<'_> {
         for index in 0..self.settings.samples {
             let [across, down] = sample(seed, index);
             let ray = self.eye.ray(f64::from(x) + across, f64::from(y) + down);
-            let there = |met: &Met| self.is_there(met, |copy| chance(seed, index, copy));
-            if let Some(hit) = self.scene.tree.first(&ray, &mut scratch.stack, there) {
+            let shown = |segment, span| self.shown(&ray, segment, span, (seed, index));
+            if let Some(hit) = self.scene.tree.first(&ray, &mut scratch.stack, shown) {
                 light += self.light(&ray, &hit, (seed, index), scratch);
                 met += 1;
             }
@@ -128,15 +130,19 @@ impl Picture<'_> {
         [mean.x as f32, mean.y as f32, mean.z as f32, (f64::from(met) / samples) as f32]
     }
 
-    /// Whether hair that is there in part is met: by chance, the same for all of a strand at one sample.
-    fn is_there(&self, met: &Met, chance: impl Fn(u32) -> f64) -> bool {
-        let Met::Hair { segment, part } = met else { return true };
-        if !self.scene.is_thin {
-            return true;
+    /// What of a ray's way through a segment is met: what is in the face's part of shell space, and of hair that is there in part, by chance all or nothing, the same for all of a
+    /// strand at one sample.
+    fn shown(&self, ray: &Ray, number: usize, span: Span, (seed, index): (u32, u32)) -> Option<Span> {
+        let scene = self.scene;
+        let origin = &scene.origins[number];
+        let segment = &scene.tree.segments[number];
+        let span = if origin.is_clipped { clip::inside(&scene.skin, ray, segment, origin, span)? } else { span };
+        if !scene.is_thin {
+            return Some(span);
         }
-        let origin = &self.scene.origins[*segment];
-        let growth = self.scene.skin.growth(origin.face as usize, origin.beta_at(*part));
-        growth >= 1.0 || chance(origin.copy) < growth
+        let part = cone::part_at(ray.at(span.enter), segment.axis(), segment.radii.map(f64::from));
+        let growth = scene.skin.growth(origin.face as usize, origin.beta_at(part));
+        (growth >= 1.0 || chance(seed, index, origin.copy) < growth).then_some(span)
     }
 
     fn light(&self, ray: &Ray, hit: &Hit, sample: (u32, u32), scratch: &mut Scratch) -> DVec3 {
@@ -172,12 +178,12 @@ impl Picture<'_> {
     }
 
     /// Whether something stands in the way to a light. A hair's own copy does not: it has no near and far side.
-    fn is_dark(&self, place: DVec3, toward: DVec3, own: Option<u32>, (seed, index): (u32, u32), scratch: &mut Scratch) -> bool {
+    fn is_dark(&self, place: DVec3, toward: DVec3, own: Option<u32>, sample: (u32, u32), scratch: &mut Scratch) -> bool {
         scratch.shadow_rays += 1;
         let ray = Ray { origin: place, direction: toward, from: OFF_SKIN, to: f64::INFINITY };
-        self.scene.tree.is_blocked(&ray, &mut scratch.stack, |met| match met {
-            Met::Hair { segment, .. } if own == Some(self.scene.origins[*segment].copy) => false,
-            met => self.is_there(met, |copy| chance(seed, index, copy)),
+        self.scene.tree.is_blocked(&ray, &mut scratch.stack, |segment, span| {
+            let is_own = own == Some(self.scene.origins[segment].copy);
+            if is_own { None } else { self.shown(&ray, segment, span, sample) }
         })
     }
 }

@@ -5,7 +5,7 @@ use pelage_coat::Coat;
 use pelage_strand::StrandTile;
 
 use crate::face::Skin;
-use crate::lay::lay;
+use crate::lay::{Edges, lay};
 use crate::segment::Origin;
 use crate::tree::Tree;
 use crate::{Laying, ReferenceError};
@@ -44,12 +44,12 @@ impl std::fmt::Debug for Scene<'_> {
 impl<'a> Scene<'a> {
     /// Lays a tile of hair on a coat: the tile that the coat's textures were sampled from, or the two are not of the same fur.
     ///
-    /// The same segments in the same order for any number of threads. 76 bytes a segment, and boxes of up to 68 more.
+    /// The same segments in the same order for any number of threads. 80 bytes a segment, and boxes of up to 68 more.
     ///
     /// # Errors
     /// A coat whose arrays do not agree or whose skin is far off, a box of hair without height, settings out of range, more hair than memory.
     pub fn new(coat: &'a Coat, tile: &'a StrandTile, laying: &Laying) -> Result<Self, ReferenceError> {
-        let laid = lay(coat, tile, laying)?;
+        let laid = lay(coat, tile, laying, Edges::Bodies)?;
         let skin = Skin { coat, length_scale: laying.length_scale };
         let places = |face: usize| skin.vertices(face).map(|v| coat.surface.positions[v].as_dvec3());
         let triangles: Vec<[DVec3; 3]> = (0..coat.patches.faces.len()).map(places).collect();

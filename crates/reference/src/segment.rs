@@ -9,7 +9,7 @@ pub(crate) struct Segment {
     pub(crate) radii: [f32; 2],
 }
 
-/// Where it comes from: what light asks for. 44 bytes.
+/// Where it comes from: what light asks for. 48 bytes.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Origin {
     /// Face of the patches.
@@ -18,6 +18,8 @@ pub(crate) struct Origin {
     pub(crate) strand: u32,
     /// Which copy of the strand: the same for all its segments on one patch.
     pub(crate) copy: u32,
+    /// Whether some of it is not to be seen: what is outside of the face's part of shell space.
+    pub(crate) is_clipped: bool,
     /// The first two barycentric coordinates at both ends.
     pub(crate) beta: [[f32; 2]; 2],
     /// Heights at both ends, 0 at the skin, 1 at the tips.

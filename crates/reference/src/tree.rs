@@ -9,7 +9,7 @@ use obvhs::bvh2::builder::build_bvh2;
 use obvhs::ray::safe_inverse;
 use obvhs::{Boundable, BvhBuildParams};
 
-use crate::cone;
+use crate::cone::{self, Span};
 use crate::ray::Ray;
 use crate::segment::Segment;
 use crate::triangle;
@@ -97,14 +97,13 @@ impl Tree {
             + size_of_val(&self.bvh.primitive_indices[..])
     }
 
-    /// What the ray meets first that `counts`; of two at one distance that with the lower number, so that it does not depend on the order of boxes.
-    pub(crate) fn first(&self, ray: &Ray, stack: &mut Stack, counts: impl Fn(&Met) -> bool) -> Option<Hit> {
+    /// What the ray meets first; of two at one distance that with the lower number, so that it does not depend on the order of boxes. `shown` says what of the way
+    /// through a segment is to be met.
+    pub(crate) fn first(&self, ray: &Ray, stack: &mut Stack, shown: impl Fn(usize, Span) -> Option<Span>) -> Option<Hit> {
         let mut best: Option<(Hit, usize)> = None;
         self.along(ray, stack, |primitive, limit| {
-            let hit = self.hit(primitive, ray).filter(|hit| {
-                let nearer = best.is_none_or(|(best, number)| (hit.distance, primitive) < (best.distance, number));
-                nearer && hit.distance <= limit && counts(&hit.met)
-            });
+            let hit = self.hit(primitive, ray, limit, &shown);
+            let hit = hit.filter(|hit| best.is_none_or(|(best, number)| (hit.distance, primitive) < (best.distance, number)));
             if let Some(hit) = hit {
                 best = Some((hit, primitive));
                 return hit.distance;
@@ -114,28 +113,30 @@ impl Tree {
         best.map(|(hit, _)| hit)
     }
 
-    /// Whether anything that `counts` is on the ray.
-    pub(crate) fn is_blocked(&self, ray: &Ray, stack: &mut Stack, counts: impl Fn(&Met) -> bool) -> bool {
+    /// Whether anything is on the ray.
+    pub(crate) fn is_blocked(&self, ray: &Ray, stack: &mut Stack, shown: impl Fn(usize, Span) -> Option<Span>) -> bool {
         let mut blocked = false;
         self.along(ray, stack, |primitive, limit| {
-            blocked = self.hit(primitive, ray).is_some_and(|hit| counts(&hit.met));
+            blocked = blocked || self.hit(primitive, ray, limit, &shown).is_some();
             if blocked { f64::NEG_INFINITY } else { limit }
         });
         blocked
     }
 
-    /// Where the ray meets a primitive within its limits. One that starts inside of a hair meets it there.
-    fn hit(&self, primitive: usize, ray: &Ray) -> Option<Hit> {
+    /// Where the ray meets a primitive, no further than `limit`. One that starts inside of a hair meets it there.
+    fn hit(&self, primitive: usize, ray: &Ray, limit: f64, shown: &impl Fn(usize, Span) -> Option<Span>) -> Option<Hit> {
         if let Some(segment) = self.segments.get(primitive) {
             let (ends, radii) = (segment.axis(), segment.radii.map(f64::from));
-            let span = cone::span(ray, ends, radii).filter(|span| span.leave >= ray.from && span.enter <= ray.to)?;
+            let reached = |span: &Span| span.leave >= ray.from && span.enter <= limit;
+            let span = cone::span(ray, ends, radii).filter(reached)?;
+            let span = shown(primitive, span).filter(reached)?;
             let distance = span.enter.max(ray.from);
             let part = cone::part_at(ray.at(distance), ends, radii);
             return Some(Hit { distance, met: Met::Hair { segment: primitive, part } });
         }
         let face = primitive - self.segments.len();
         let (distance, beta) = triangle::crossing(ray, self.triangles[face])?;
-        (distance >= ray.from && distance <= ray.to).then_some(Hit { distance, met: Met::Skin { face, beta } })
+        (distance >= ray.from && distance <= limit).then_some(Hit { distance, met: Met::Skin { face, beta } })
     }
 
     /// Calls `visit` with every primitive whose box the ray passes, the nearer boxes first, and how far it wants others; it answers with a new limit.

@@ -209,7 +209,8 @@ fn outlines_cut_hair_in_shell_space_and_free_hair_goes_on() {
     let seen = |placement| {
         area(&covered(&coat, &tile, &Laying { placement, ..dark_skin() }, above(Vec3::new(0.0, -0.25, 0.0), 0.5), 160, 36), 0.5)
     };
-    let (cut, whole) = (hull_area(0.2, [0.02; 2]), hull_area(0.4, [0.02; 2]));
+    // Cut straight at the outline.
+    let (cut, whole) = (0.2 * 0.04 + 0.5 * PI * 0.02 * 0.02, hull_area(0.4, [0.02; 2]));
     assert!((seen(Placement::Shell) / cut - 1.0).abs() < 2e-3, "{} of {cut}", seen(Placement::Shell));
     assert!((seen(Placement::Free) / whole - 1.0).abs() < 2e-3, "{} of {whole}", seen(Placement::Free));
     // The right patch has the half of the hair that is over it, and no root.
@@ -220,24 +221,25 @@ fn outlines_cut_hair_in_shell_space_and_free_hair_goes_on() {
 }
 
 #[test]
-fn a_cut_ends_hair_where_it_is_and_bends_are_followed() {
-    let tile = tile(&[hair(&[[0.5, 0.5, 0.0], [0.5, 0.5, 1.0]], &[0.01; 2])]);
+fn a_cut_is_level_and_bends_are_followed() {
+    let (radius, tile) = (0.01, tile(&[hair(&[[0.5, 0.5, 0.0], [0.5, 0.5, 1.0]], &[0.01; 2])]));
     let mut coat = square(2, 1.0);
-    // c h + b (h² − h) with c along x and b along y: a parabola in the plane of the picture.
+    let seen = |coat: &pelage_coat::Coat| area(&covered(coat, &tile, &dark_skin(), above(Vec3::ZERO, 1.0), 200, 36), 1.0);
     coat.surface.offsets = vec![Vec3::new(0.3, 0.0, 0.1); 9];
-    coat.surface.bends = vec![Vec3::new(0.0, 0.4, 0.0); 9];
-    let length = |end: f64| {
-        let steps = 10_000;
-        let speed = |h: f64| (0.09 + (0.4 * (2.0 * h - 1.0)).powi(2)).sqrt();
-        (0..steps).map(|k| speed((f64::from(k) + 0.5) / f64::from(steps) * end)).sum::<f64>() * end / f64::from(steps)
-    };
-    for end in [1.0f32, 0.5, 0.2] {
-        coat.surface.ends = vec![end; 9];
-        let seen = area(&covered(&coat, &tile, &dark_skin(), above(Vec3::ZERO, 1.0), 160, 36), 1.0);
-        // A bent strip is as large as a straight one.
-        let wanted = 0.02 * length(f64::from(end)) + PI * 1e-4;
-        assert!((seen / wanted - 1.0).abs() < 5e-3, "cut at {end}: {seen} of {wanted}");
+    // Along the shell of its end: half an ellipse, as much longer as the hair leans. Whole hair ends round.
+    for (end, lengthened) in [(1.0, 1.0), (0.5, 10f64.sqrt()), (0.2, 10f64.sqrt())] {
+        coat.surface.ends = vec![end as f32; 9];
+        let wanted = 2.0 * radius * 0.3 * end + 0.5 * PI * radius * radius * (1.0 + lengthened);
+        assert!((seen(&coat) / wanted - 1.0).abs() < 5e-3, "cut at {end}: {} of {wanted}", seen(&coat));
     }
+    // c h + b (h² − h) with c along x and b along y: a parabola in the plane of the picture, and a bent strip is as large as a straight one.
+    coat.surface.ends = vec![1.0; 9];
+    coat.surface.bends = vec![Vec3::new(0.0, 0.4, 0.0); 9];
+    let steps = 10_000;
+    let speed = |h: f64| (0.09 + (0.4 * (2.0 * h - 1.0)).powi(2)).sqrt();
+    let length = (0..steps).map(|k| speed((f64::from(k) + 0.5) / f64::from(steps))).sum::<f64>() / f64::from(steps);
+    let wanted = 2.0 * radius * length + PI * radius * radius;
+    assert!((seen(&coat) / wanted - 1.0).abs() < 5e-3, "bent: {} of {wanted}", seen(&coat));
 }
 
 fn lights() -> Lights {

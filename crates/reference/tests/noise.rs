@@ -53,7 +53,7 @@ fn threads_change_no_byte() {
         pool.install(|| {
             let scene = Scene::new(&coat, &tile, &Laying::default()).unwrap();
             let settings = Settings { size: (70, 45), samples: 4, shadows: Shadows::Rays, ..Settings::default() };
-            (scene.counts(), scene.curves(), scene.render(&view(), &settings, &quiet).unwrap())
+            (scene.counts(), scene.curves().unwrap(), scene.render(&view(), &settings, &quiet).unwrap())
         })
     };
     let one = made_by(1);

@@ -139,7 +139,7 @@ fn free_hair_is_one_for_each_root() {
     let coat = square(5, 2.5);
     let laying = Laying { placement: Placement::Free, ..Laying::default() };
     let scene = Scene::new(&coat, &tile, &laying).unwrap();
-    let curves = scene.curves().0;
+    let curves = scene.curves().unwrap().0;
     // Of (0.5, 0.5), three stand on the rim and a rim is on its face or not.
     let on_rim = |curve: &[[f32; 4]]| curve[0][0].abs().max(curve[0][1].abs()) > 0.499;
     let inside = curves.iter().filter(|curve| !on_rim(curve)).count();
@@ -153,7 +153,7 @@ fn curves_are_text_that_reads_back() {
     let (coat, tile) = (square(4, 2.0), some_hair());
     for placement in [Placement::Shell, Placement::Free] {
         let scene = Scene::new(&coat, &tile, &Laying { placement, tolerance: 0.01, ..Laying::default() }).unwrap();
-        let curves = scene.curves();
+        let curves = scene.curves().unwrap();
         let mut text = Vec::new();
         curves.write(&mut text).unwrap();
         let text = String::from_utf8(text).unwrap();
@@ -169,7 +169,9 @@ fn curves_are_text_that_reads_back() {
         assert_eq!(read, curves.0);
         // All of one patch, so that no hair is in two pieces but at the rim, and each segment is in one curve.
         assert_eq!(read.len(), 4, "{placement:?}");
-        assert_eq!(read.iter().map(|curve| curve.len() - 1).sum::<usize>(), scene.counts().segments);
+        let segments = read.iter().map(|curve| curve.len() - 1).sum::<usize>();
+        // In shell space a face also has what reaches in from beside it.
+        assert!(segments == scene.counts().segments || (placement == Placement::Shell && segments < scene.counts().segments));
         for curve in &read {
             assert!(curve.windows(2).all(|pair| pair[0][2] < pair[1][2]), "from root to tip");
             assert!(curve[0][2].abs() < 1e-6 && (curve[curve.len() - 1][2] - 0.1).abs() < 1e-6, "whole");

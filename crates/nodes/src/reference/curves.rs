@@ -47,6 +47,6 @@ pub struct StrandCurves {
 impl Evaluate for StrandCurves {
     fn evaluate(&self, _: &mut Context<'_>) -> Result<Self::Outputs, NodeError> {
         let laying = Laying { placement: Placement::from(&self.placement), tolerance: self.tolerance, ..Laying::default() };
-        Ok(Scene::new(&self.fur, &self.strands, &laying)?.curves().into())
+        Ok(Scene::new(&self.fur, &self.strands, &laying)?.curves()?.into())
     }
 }

@@ -46,8 +46,11 @@ fn print(value: &Value) -> String {
 
 /// Asks for every output of the nodes that draw nothing.
 fn everything(graph: &CheckedGraph) -> Request {
-    let drawing: Vec<&str> =
-        graph.nodes().filter(|(_, kind)| ["RenderImage", "ReferenceImage", "SideBySide"].contains(kind)).map(|(id, _)| id.as_str()).collect();
+    let drawing: Vec<&str> = graph
+        .nodes()
+        .filter(|(_, kind)| ["RenderImage", "ReferenceImage", "SideBySide"].contains(kind))
+        .map(|(id, _)| id.as_str())
+        .collect();
     let outputs = graph.outputs().map(|(name, _)| name).filter(|name| !drawing.contains(&name.split('.').next().unwrap()));
     outputs.fold(Request::default(), |request, output| request.and_output(&output))
 }

@@ -35,7 +35,7 @@ impl Layer<'_> {
         let sheet = map.sheet.with_curve_of(root);
         for piece in pieces {
             let beta = piece.places.map(|place| map.barycentric(moved(place, tiles)));
-            let track = Track { map, sheet: &sheet, piece, beta, rooted: Some(root), face: face as u32, copy };
+            let track = Track { map, sheet: &sheet, piece, beta, rooted: Some(root), inside: None, face: face as u32, copy };
             let top = end.min(1.0);
             let [low, high] = [not_negative(piece.heights), not_negative(piece.heights.map(|height| top - height))];
             track.lay([low[0].max(high[0]), low[1].min(high[1])], self.tolerance, laid);

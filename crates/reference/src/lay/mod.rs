@@ -34,13 +34,23 @@ struct Layer<'a> {
     skin: Skin<'a>,
     hair: &'a Hair,
     tolerance: f64,
+    edges: Edges,
+}
+
+/// Which hair a face of shell space is given.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Edges {
+    /// All that reaches in, for rays, which meet what is inside.
+    Bodies,
+    /// Where the axis is inside, for curves, each in one face only.
+    Axes,
 }
 
 /// Lays all hair of a coat, faces side by side; in the order of the faces, whatever the number of threads.
-pub(crate) fn lay(coat: &Coat, tile: &StrandTile, laying: &Laying) -> Result<Laid, ReferenceError> {
+pub(crate) fn lay(coat: &Coat, tile: &StrandTile, laying: &Laying, edges: Edges) -> Result<Laid, ReferenceError> {
     let skin = checked(coat, tile, laying)?;
     let hair = Hair::of(tile, laying.tolerance)?;
-    let layer = Layer { skin, hair: &hair, tolerance: laying.tolerance };
+    let layer = Layer { skin, hair: &hair, tolerance: laying.tolerance, edges };
     let (count, full) = (AtomicUsize::new(0), AtomicBool::new(false));
     let one = |face: usize| -> Result<Laid, ReferenceError> {
         let mut laid = Laid::default();

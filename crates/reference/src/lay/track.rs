@@ -4,7 +4,7 @@ use glam::DVec3;
 
 use super::{Laid, MOST_CUTS, first_two, lerp};
 use crate::error::FARTHEST;
-use crate::face::{FaceMap, Sheet};
+use crate::face::{FaceMap, Margins, Sheet};
 use crate::hair::Piece;
 use crate::segment::{Origin, Segment};
 
@@ -18,6 +18,8 @@ pub(super) struct Track<'a> {
     pub(super) beta: [DVec3; 2],
     /// The place whose colour and light the hair has; where it is itself without.
     pub(super) rooted: Option<DVec3>,
+    /// How far inside hair must be to be whole; `None` where all of it is shown.
+    pub(super) inside: Option<Margins>,
     pub(super) face: u32,
     pub(super) copy: u32,
 }
@@ -71,6 +73,13 @@ impl Track<'_> {
         }
     }
 
+    /// Whether hair at a knot may reach out of the face's part of shell space.
+    fn is_near_bounds(&self, knot: &Knot) -> bool {
+        let Some(margins) = self.inside else { return false };
+        let top = knot.beta.dot(self.map.ends.into()).min(1.0) - knot.height;
+        (knot.beta - margins.beta).min_element() < 0.0 || top < margins.height
+    }
+
     fn push(&self, from: &Knot, to: &Knot, laid: &mut Laid) {
         let far = |knot: &Knot| !knot.place.is_finite() || knot.place.abs().max_element() + knot.radius >= FARTHEST;
         if far(from) || far(to) {
@@ -89,6 +98,7 @@ impl Track<'_> {
             face: self.face,
             strand: self.piece.strand,
             copy: self.copy,
+            is_clipped: self.is_near_bounds(from) || self.is_near_bounds(to),
             beta: [from, to].map(|knot| first_two(knot.beta)),
             heights: [from, to].map(|knot| knot.height as f32),
             along: [from, to].map(|knot| knot.along as f32),
