@@ -25,7 +25,7 @@
 //! here they become what the crates take.
 //!
 //! # Features
-//! `gpu` (default): drawing. Without it every node but `RenderImage` evaluates, and nothing of wgpu is built.
+//! `gpu` (default): drawing. Without it every node but those that make pictures evaluates, and nothing of wgpu is built.
 
 mod coat;
 mod creature;

@@ -194,6 +194,26 @@ fn rays_to_the_light_take_it_away_and_leave_the_sky() {
 }
 
 #[test]
+fn no_hair_shades_itself() {
+    let (coat, shading) = (square(2, 1.0), Shading::default());
+    // Seen from above and lit from below the level hair, through it.
+    let tile = tile(&[hair(&[[0.2, 0.5, 0.9], [0.8, 0.5, 0.9]], &[0.02; 2])]);
+    let mut lights = lights();
+    lights.directional = vec![Light { direction: Vec3::new(0.0, 0.995, 0.1).normalize(), colour: Vec3::ONE }];
+    let scene = Scene::new(&coat, &tile, &Laying::default()).unwrap();
+    let view = View { camera: above(Vec3::ZERO, 1e-4), lights: lights.clone(), shading };
+    let settings = Settings { size: (1, 1), samples: 1, shadows: Shadows::Rays, ..Settings::default() };
+    let image = scene.render(&view, &settings, &quiet).unwrap();
+    let point = HairPoint { direction: DVec3::X, normal: DVec3::Z, height: 1.0 };
+    // At the tips depth shades nothing, so that formula and rays agree.
+    let wanted = shading.shade(&illumination(&lights), DVec3::Z, &point);
+    assert_eq!(image.shadow_rays, 1);
+    for channel in 0..3 {
+        assert!((f64::from(image.pixels[0][channel]) - wanted[channel]).abs() < 1e-4, "{:?} for {wanted}", image.pixels[0]);
+    }
+}
+
+#[test]
 fn outlines_cut_hair_in_shell_space_and_free_hair_goes_on() {
     // Two patches side by side; on the right one the tile is elsewhere and has no hair near the outline.
     let mut coat = square(2, 1.0);
