@@ -132,7 +132,7 @@ impl Sheet {
         mix(self.places, beta) + mix(self.offsets, beta) * height + mix(self.bends, beta) * (height * height - height)
     }
 
-    /// Twice the derivative of the way as β and h run evenly, differentiated: linear on the way, so largest at one of its ends.
+    /// The second derivative of the way as β and h run evenly, by `turn` and `rise`: linear on the way, so largest at one of its ends.
     pub(crate) fn second_derivative(&self, beta: DVec3, height: f64, turn: DVec3, rise: f64) -> DVec3 {
         2.0 * rise * (mix(self.offsets, turn) + (2.0 * height - 1.0) * mix(self.bends, turn)) + 2.0 * rise * rise * mix(self.bends, beta)
     }
@@ -236,5 +236,44 @@ impl FaceMap {
     /// Whether it has any fur.
     pub(crate) fn is_furred(&self) -> bool {
         self.growths.iter().any(|&growth| growth > 0.0)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::fixture::square;
+
+    /// A face whose fur differs from corner to corner in every way.
+    fn twisted() -> FaceMap {
+        let mut coat = square(1, 1.0);
+        for (v, offset) in coat.surface.offsets.iter_mut().enumerate() {
+            *offset = Vec3::new(0.1 * v as f32 - 0.2, 0.05 - 0.02 * v as f32, 0.2 + 0.1 * v as f32);
+            coat.surface.bends[v] = Vec3::new(0.1, 0.03 * v as f32, -0.04);
+        }
+        Skin { coat: &coat, length_scale: 1.0 }.map(0).unwrap()
+    }
+
+    #[test]
+    fn the_second_derivative_is_that_of_the_way() {
+        let sheet = twisted().sheet;
+        let (beta, turn) = (DVec3::new(0.3, 0.5, 0.2), DVec3::new(0.4, -0.3, -0.1));
+        for (height, rise) in [(0.2, 0.5), (0.9, -0.7), (0.4, 0.0)] {
+            let at = |t: f64| sheet.place(beta + turn * t, height + rise * t);
+            let step = 1e-3;
+            let differences = (at(step) - 2.0 * at(0.0) + at(-step)) / (step * step);
+            let stated = sheet.second_derivative(beta, height, turn, rise);
+            assert!(differences.abs_diff_eq(stated, 1e-6), "{differences} for {stated}");
+        }
+    }
+
+    #[test]
+    fn places_are_found_again_in_shell_space() {
+        let sheet = twisted().sheet;
+        for (beta, height) in [(DVec3::new(0.3, 0.5, 0.2), 0.4), (DVec3::new(0.05, 0.9, 0.05), 0.95)] {
+            let near = (beta + DVec3::new(0.03, -0.05, 0.02), height - 0.04);
+            let (found, at) = sheet.coordinates(sheet.place(beta, height), near).unwrap();
+            assert!(found.abs_diff_eq(beta, 1e-9) && (at - height).abs() < 1e-9, "{found}, {at}");
+        }
     }
 }

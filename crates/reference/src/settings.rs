@@ -136,3 +136,19 @@ pub type Progress<'a> = &'a (dyn Fn(f64) -> ControlFlow<()> + Sync);
 pub fn quiet(_: f64) -> ControlFlow<()> {
     ControlFlow::Continue(())
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use pelage_coat::MipImage;
+
+    #[test]
+    fn bare_skin_has_the_mean_of_the_innermost_layer() {
+        // Of four texels in linear light, not of their bytes.
+        let texels = [[255, 0, 0, 255], [0, 188, 0, 255], [0, 0, 0, 255], [255, 255, 255, 255]].concat();
+        let shells = ShellTexture::stack(1, vec![MipImage { width: 2, height: 2, texels }]);
+        let colours = SkinColours::of(&shells, DVec3::splat(0.3));
+        assert_eq!(colours.under_fur, DVec3::splat(0.3));
+        assert!(colours.bare.abs_diff_eq(DVec3::new(0.5, 0.3757, 0.25), 1e-3), "{}", colours.bare);
+    }
+}
