@@ -3,6 +3,7 @@
 //! Exit codes: 0 done, 1 the input or the graph is wrong or evaluation failed, 2 wrong usage, 3 no graphics adapter.
 
 mod check;
+mod curves;
 mod failure;
 mod graph;
 mod inspect;
@@ -34,6 +35,8 @@ enum Command {
     Nodes(nodes::Nodes),
     /// What is in a model: counts, genus, quality.
     Inspect(inspect::Inspect),
+    /// The hair on the surface as curves, for other ray tracers.
+    Curves(curves::Export),
     /// Table 1 of the paper: how fast each model of a folder is drawn, with half and with all layers.
     Survey(survey::Survey),
 }
@@ -45,6 +48,7 @@ fn main() -> ExitCode {
         Command::Check(command) => command.run(),
         Command::Nodes(command) => command.run(),
         Command::Inspect(command) => command.run(),
+        Command::Curves(command) => command.run(),
         Command::Survey(command) => command.run(),
     };
     match done {

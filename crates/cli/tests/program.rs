@@ -98,6 +98,27 @@ fn render_writes_the_picture_and_the_figures_that_were_promised() {
 }
 
 #[test]
+fn curves_are_written_a_blank_line_between_strands() {
+    let (folder, graph, _) = folder();
+    let out = folder.path().join("hair.txt").to_str().unwrap().to_owned();
+    let (code, _, error) = run(&["curves", &graph, "-o", &out]);
+    assert!(code == 1 && error.contains("add a StrandCurves node"), "{code}: {error}");
+    let with_curves = BALL.replace(r#""camera""#, r#""curves": StrandCurves(fur: "coat.fur", strands: "hair.strands"), "camera""#);
+    std::fs::write(&graph, with_curves).unwrap();
+    assert_eq!(run(&["curves", &graph, "-o", &out]).0, 0);
+    let text = std::fs::read_to_string(&out).unwrap();
+    let strands: Vec<&str> = text.split("\n\n").collect();
+    assert!(strands.len() > 500, "{} strands", strands.len());
+    for strand in strands {
+        let points: Vec<Vec<f64>> = strand.lines().map(|line| line.split(' ').map(|word| word.parse().unwrap()).collect()).collect();
+        assert!(points.len() >= 2 && points.iter().all(|point| point.len() == 4 && point[3] > 0.0), "{strand}");
+        // From the skin of the ball: the diagonal of its box is 1.
+        let off_centre = points[0][..3].iter().map(|c| c * c).sum::<f64>().sqrt();
+        assert!((off_centre - 0.2887).abs() < 0.02, "{off_centre}");
+    }
+}
+
+#[test]
 fn any_number_of_threads_makes_the_same_picture() {
     let (_folder, graph, out) = folder();
     let picture = |threads: &str| {

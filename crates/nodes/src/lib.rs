@@ -25,7 +25,7 @@
 //! here they become what the crates take.
 //!
 //! # Features
-//! `gpu` (default): drawing. Without it every node but `RenderImage` evaluates, and nothing of wgpu is built.
+//! `gpu` (default): drawing. Without it every node but those that make pictures evaluates, and nothing of wgpu is built.
 
 mod coat;
 mod creature;
@@ -37,6 +37,7 @@ mod models;
 mod patches;
 #[cfg(feature = "gpu")]
 mod picture;
+mod reference;
 mod registry;
 mod shading;
 #[cfg(feature = "gpu")]
@@ -54,10 +55,14 @@ pub use hair::{
 pub use light::{EnvironmentNode, LightNode};
 pub use models::{ObjFile, Plane, RoundedDie, Sphere, Torus};
 pub use patches::GrowPatches;
+pub use pelage_reference::Curves;
 #[cfg(feature = "gpu")]
 pub use pelage_render::{Picture, RenderError};
 #[cfg(feature = "gpu")]
 pub use picture::{DepthMode, FinsOn, FrameReport, Gpu, LightingAt, RenderImage, ShellDetail, TableAxis};
+pub use reference::{HairPlacement, StrandCurves};
+#[cfg(feature = "gpu")]
+pub use reference::{RayReport, ReferenceImage, ShadowsBy};
 pub use registry::{evaluator, registry};
 pub use shading::HairLightingNode;
 #[cfg(feature = "gpu")]

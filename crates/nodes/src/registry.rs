@@ -7,6 +7,7 @@ use pelage_graph::{Evaluator, Registry};
 use pelage_lighting::Shading;
 use pelage_mesh::{Mesh, RepairReport};
 use pelage_patch::PatchTiling;
+use pelage_reference::Curves;
 use pelage_strand::StrandTile;
 
 use crate::Framing;
@@ -26,6 +27,7 @@ pub fn registry() -> Registry {
         .value::<crate::OneLayerReport>("OneLayerReport", |_| size_of::<crate::OneLayerReport>())
         .value::<FinTexture>("FinTexture", FinTexture::byte_size)
         .value::<Coat>("Coat", Coat::byte_size)
+        .value::<Curves>("Curves", Curves::byte_size)
         .value::<Framing>("Framing", |_| size_of::<Framing>())
         .value::<Lights>("Lights", |lights| size_of::<Lights>() + size_of_val(&lights.directional[..]))
         .value::<Shading>("Shading", |_| size_of::<Shading>())
@@ -53,7 +55,8 @@ pub fn registry() -> Registry {
         .node::<crate::HairLightingNode>()
         .node::<crate::LightNode>()
         .node::<crate::EnvironmentNode>()
-        .node::<crate::CameraNode>();
+        .node::<crate::CameraNode>()
+        .node::<crate::StrandCurves>();
     with_drawing(registry)
 }
 
@@ -72,7 +75,9 @@ fn with_drawing(registry: Registry) -> Registry {
     registry
         .value::<Picture>("Picture", |picture| picture.rgba.len() + picture.coverage.len())
         .value::<crate::FrameReport>("FrameReport", |_| size_of::<crate::FrameReport>())
+        .value::<crate::RayReport>("RayReport", |_| size_of::<crate::RayReport>())
         .node::<crate::RenderImage>()
+        .node::<crate::ReferenceImage>()
         .node::<crate::SideBySide>()
 }
 

@@ -42,6 +42,14 @@ const FIGURES: &[Figure] = &[
         what: "frames of two bunnies beside the same draw, a plain renderer and the exact visible set; by shells, by distance, by option",
         cargo: "bench -p pelage-tests --bench spine -- 2",
     },
+    Figure {
+        what: "rays a second through hair, beside triangles of the same number in obvhs alone",
+        cargo: "run --release -p pelage-reference --example rays",
+    },
+    Figure {
+        what: "how far what is drawn is from the hair itself, by layers, resolution and lighting",
+        cargo: "run --release -p pelage-tests --example truth",
+    },
     Figure { what: "the graph engine: parsing, checking, running, saving", cargo: "bench -p pelage-graph --bench graph" },
 ];
 

@@ -32,7 +32,7 @@ const fn law(folder: &'static str, knows: &'static [&'static str]) -> Law {
     Law { folder, knows, tests: Tests::Wide }
 }
 
-/// The rooms, in the order of the architecture's table; `reference`, `dynamics`, `dynamics-gpu` and `editor` may not exist yet.
+/// The rooms, in the order of the architecture's table; `dynamics`, `dynamics-gpu` and `editor` may not exist yet.
 const LAWS: &[Law] = &[
     law("crates/mesh", &[]),
     law("crates/field", &["mesh"]),

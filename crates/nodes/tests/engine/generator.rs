@@ -32,8 +32,11 @@ pub(crate) fn graph(registry: &Registry, seed: u64) -> String {
     for (index, kind) in ["Sphere", "GrowStrands"].into_iter().enumerate() {
         generator.node(kind, index);
     }
-    let kinds: Vec<&str> =
-        registry.specifications().map(|s| s.kind.as_str()).filter(|kind| !["RenderImage", "ObjFile"].contains(kind)).collect();
+    let kinds: Vec<&str> = registry
+        .specifications()
+        .map(|s| s.kind.as_str())
+        .filter(|kind| !["RenderImage", "ReferenceImage", "StrandCurves", "ObjFile"].contains(kind))
+        .collect();
     for index in 2..generator.random.random_range(6..16) {
         let kind = kinds[generator.random.random_range(0..kinds.len())];
         generator.node(kind, index);

@@ -36,6 +36,7 @@ fn print(value: &Value) -> String {
         Lights,
         Shading,
         pelage_mesh::RepairReport,
+        pelage_nodes::Curves,
         pelage_nodes::OneLayerReport
     );
     // Its shapes show in where its skin is and in how fur lies on it.
@@ -45,8 +46,11 @@ fn print(value: &Value) -> String {
 
 /// Asks for every output of the nodes that draw nothing.
 fn everything(graph: &CheckedGraph) -> Request {
-    let drawing: Vec<&str> =
-        graph.nodes().filter(|(_, kind)| ["RenderImage", "SideBySide"].contains(kind)).map(|(id, _)| id.as_str()).collect();
+    let drawing: Vec<&str> = graph
+        .nodes()
+        .filter(|(_, kind)| ["RenderImage", "ReferenceImage", "SideBySide"].contains(kind))
+        .map(|(id, _)| id.as_str())
+        .collect();
     let outputs = graph.outputs().map(|(name, _)| name).filter(|name| !drawing.contains(&name.split('.').next().unwrap()));
     outputs.fold(Request::default(), |request, output| request.and_output(&output))
 }

@@ -1,0 +1,154 @@
+//! What is laid, and how it is looked at.
+
+use std::ops::ControlFlow;
+
+use glam::DVec3;
+use pelage_coat::{Camera, Encoding, Lights, ShellTexture};
+use pelage_lighting::Shading;
+
+use crate::ReferenceError;
+use crate::error::within;
+
+/// Which hair there is.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Placement {
+    /// What infinitely many shells of infinite resolution would draw: of every copy of the tile's hair what is over a patch, cut at its outline.
+    #[default]
+    Shell,
+    /// Each hair whole whose root is on a patch, also beyond the patch's outline. What differs from [`Placement::Shell`] is what seams cost.
+    Free,
+}
+
+/// Where shadows within the coat come from.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Shadows {
+    /// From depth, by [`pelage_lighting::SelfShadow`], as in the renderer.
+    #[default]
+    Formula,
+    /// From rays to each light at infinity: it is there or not, whatever the depth. No hair shades itself. Light from all around goes by the formula still, and so
+    /// does [`pelage_lighting::Facing`], which is part of how a coat answers light.
+    Rays,
+}
+
+/// Skin, in linear light.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct SkinColours {
+    /// Between the hairs.
+    pub under_fur: DVec3,
+    /// Where there is no fur.
+    pub bare: DVec3,
+}
+
+impl SkinColours {
+    /// Skin of a colour between the hairs, which is what the layers were sampled over. Where it is bare the renderer shows the mean of the innermost layer, roots
+    /// and skin; so does this, unless the layers are compressed in blocks, where it is `under_fur` there, too.
+    pub fn of(shells: &ShellTexture, under_fur: DVec3) -> Self {
+        Self { under_fur, bare: innermost_mean(shells).unwrap_or(under_fur) }
+    }
+}
+
+impl Default for SkinColours {
+    /// What hair is sampled over by default, everywhere.
+    fn default() -> Self {
+        let skin = DVec3::new(0.11, 0.075, 0.055);
+        Self { under_fur: skin, bare: skin }
+    }
+}
+
+/// The mean colour of the skin's image; opaque, so that it is not premultiplied either.
+fn innermost_mean(shells: &ShellTexture) -> Option<DVec3> {
+    let (mip, skin) = (shells.mips.first()?, shells.levels.first()?.first()?);
+    if shells.encoding != Encoding::Rgba8 {
+        return None;
+    }
+    let bytes = shells.encoding.bytes(mip.width, mip.height);
+    let texels = mip.texels.chunks_exact(bytes.max(1)).nth(skin.image as usize)?;
+    let sum = texels.chunks_exact(4).map(|t| DVec3::new(decoded(t[0]), decoded(t[1]), decoded(t[2]))).sum::<DVec3>();
+    Some(sum / (texels.len() / 4) as f64)
+}
+
+fn decoded(byte: u8) -> f64 {
+    let c = f64::from(byte) / 255.0;
+    if c <= 0.04045 { c / 12.92 } else { ((c + 0.055) / 1.055).powf(2.4) }
+}
+
+/// How hair is laid on a coat.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Laying {
+    /// Which hair there is.
+    pub placement: Placement,
+    /// Multiplies the length of all fur: 0 to 1000; 0 is bald.
+    pub length_scale: f64,
+    /// How far a hair may be from its true curve, in its radii: 1e-4 to 1, first in the tile and once more on the surface. Segments go with one over its root.
+    pub tolerance: f64,
+    /// The skin's colours.
+    pub skin: SkinColours,
+}
+
+impl Default for Laying {
+    fn default() -> Self {
+        Self { placement: Placement::default(), length_scale: 1.0, tolerance: 0.1, skin: SkinColours::default() }
+    }
+}
+
+/// From where, and in what light.
+#[derive(Clone, Debug, PartialEq)]
+pub struct View {
+    /// From where.
+    pub camera: Camera,
+    /// In what light.
+    pub lights: Lights,
+    /// How hair answers it.
+    pub shading: Shading,
+}
+
+/// How finely to look.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Settings {
+    /// Width and height in pixels, each up to 16384. A picture without pixels is one.
+    pub size: (u32, u32),
+    /// Rays from the eye for each pixel: 1 to 65536. Time is linear in it; noise falls at least with its root, and evenly where it is a power of two.
+    pub samples: u32,
+    /// Of where in the pixels they go.
+    pub seed: u64,
+    /// Where shadows come from.
+    pub shadows: Shadows,
+}
+
+impl Default for Settings {
+    fn default() -> Self {
+        Self { size: (640, 480), samples: 16, seed: 1, shadows: Shadows::default() }
+    }
+}
+
+impl Settings {
+    pub(crate) fn validate(&self) -> Result<(), ReferenceError> {
+        within("size.0", f64::from(self.size.0), 0.0, 16384.0, "pixels")?;
+        within("size.1", f64::from(self.size.1), 0.0, 16384.0, "pixels")?;
+        within("samples", f64::from(self.samples), 1.0, 65536.0, "rays a pixel")
+    }
+}
+
+/// Is told how far a picture has got, from 0 to 1, and says whether to go on; from any thread, and after any block, so that fractions may come out of order.
+pub type Progress<'a> = &'a (dyn Fn(f64) -> ControlFlow<()> + Sync);
+
+/// Goes on, and tells nobody.
+pub fn quiet(_: f64) -> ControlFlow<()> {
+    ControlFlow::Continue(())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use pelage_coat::MipImage;
+
+    #[test]
+    fn bare_skin_has_the_mean_of_the_innermost_layer() {
+        // Of four texels in linear light, not of their bytes.
+        let texels = [[255, 0, 0, 255], [0, 188, 0, 255], [0, 0, 0, 255], [255, 255, 255, 255]].concat();
+        let shells = ShellTexture::stack(1, vec![MipImage { width: 2, height: 2, texels }]);
+        let colours = SkinColours::of(&shells, DVec3::splat(0.3));
+        assert_eq!(colours.under_fur, DVec3::splat(0.3));
+        assert!(colours.bare.abs_diff_eq(DVec3::new(0.5, 0.3757, 0.25), 1e-3), "{}", colours.bare);
+    }
+}
