@@ -9,7 +9,7 @@ use crate::pipelines::{PassPipelines, Variant};
 use crate::renderer::Shared;
 use crate::resources::{Maker, Needs, Resources};
 use crate::schedule::Schedule;
-use crate::shadow::LightView;
+use crate::shadow::{Casters, Casting, LightView};
 use crate::uniforms::{FrameUniform, GROWTH_LENGTH, MOST_SEGMENTS};
 use crate::{GpuCoat, RenderError, View, Viewpoint};
 
@@ -20,6 +20,8 @@ pub(crate) struct Frame {
     pub(crate) buffers: FrameBuffers,
     pub(crate) resources: Resources,
     pub(crate) pipelines: PassPipelines,
+    /// Those of the shadow map, where there is one.
+    casters: Option<Casters>,
     /// What the shaders read beside the coat: the fins that were picked, or the places of a crowd.
     second: Buffer,
     crowd: bool,
@@ -90,6 +92,7 @@ impl Frame {
         let mut frame = Self {
             resources: Resources::new(&maker, moment.needs)?,
             pipelines: shared.pipelines.get(device, variant(coat, view, &moment.schedule, crowd)),
+            casters: casters(device, shared, coat, view, &moment.schedule),
             coat: coat.clone(),
             second: second.clone(),
             crowd,
@@ -114,6 +117,7 @@ impl Frame {
         let maker = Maker { device, queue, shared, coat: &self.coat, buffers: &self.buffers, second: &self.second };
         let new_map = self.resources.meet(&maker, moment.needs)?;
         self.pipelines = shared.pipelines.get(device, variant(&self.coat, view, &moment.schedule, self.crowd));
+        self.casters = casters(device, shared, &self.coat, view, &moment.schedule);
         self.write(queue, moment, new_map);
         Ok(())
     }
@@ -126,14 +130,14 @@ impl Frame {
         queue.write_buffer(&self.buffers.frame, 0, bytemuck::bytes_of(&moment.uniform));
         queue.write_buffer(&self.buffers.shells, 0, bytemuck::cast_slice(&self.schedule.shells));
         queue.write_buffer(&self.buffers.drawn, 0, bytemuck::cast_slice(&self.schedule.drawn));
-        if let Some((shadows, _)) = self.resources.shadows.as_mut().filter(|_| new_map || !casts_alike) {
+        if let Some(shadows) = self.resources.shadows.as_mut().filter(|_| new_map || !casts_alike) {
             shadows.set(queue, &self.schedule);
         }
     }
 
     /// Records the shadow map, where it is stale.
     pub(crate) fn record_shadows(&self, encoder: &mut CommandEncoder) {
-        let Some((shadows, casters)) = &self.resources.shadows else { return };
+        let (Some(shadows), Some(casters)) = (&self.resources.shadows, &self.casters) else { return };
         // Fur without length casts nothing.
         let furry = self.coat.furred_face_count() > 0 && self.light.length > 0.0;
         shadows.record(encoder, casters, self.resources.groups.casting(), &self.coat, furry);
@@ -167,4 +171,9 @@ fn variant(coat: &GpuCoat, view: &View, schedule: &Schedule, crowd: bool) -> Var
     let grown = coat.shortest * view.options.length_scale >= GROWTH_LENGTH;
     let variant = Variant::new(view, coat.traits, [schedule.is_thickened(), schedule.blend > 0.0, grown]);
     if crowd { variant.instanced() } else { variant }
+}
+
+fn casters(device: &Device, shared: &Shared, coat: &GpuCoat, view: &View, schedule: &Schedule) -> Option<Casters> {
+    let traits = Casting { bent: coat.traits.bent, cut: coat.traits.cut, thickened: schedule.is_thickened(), levels: schedule.blend > 0.0 };
+    view.options.shadows.map(|_| shared.casters.get(device, &shared.pipelines, traits))
 }

@@ -67,7 +67,6 @@ impl GpuCoat {
                 bent: coat.surface.bends.iter().any(|&bend| bend != Vec3::ZERO),
                 cut: coat.surface.ends.iter().any(|&end| end < 1.0),
                 direction_map: textures.has_directions,
-                levels: textures.levels.len() > 1,
             },
             length: coat.surface.offsets.iter().map(|offset| offset.length()).fold(0.0, f32::max),
             shortest: coat.surface.offsets.iter().map(|offset| offset.length()).fold(f32::INFINITY, f32::min),

@@ -89,7 +89,6 @@ pub(crate) struct CoatTraits {
     pub(crate) bent: bool,
     pub(crate) cut: bool,
     pub(crate) direction_map: bool,
-    pub(crate) levels: bool,
 }
 
 impl Variant {
@@ -363,7 +362,7 @@ mod tests {
         assert_eq!(Variant::new(&view, CoatTraits::default(), [false, false, true]).flags(), ["GROWN", "SKY"]);
         view.options.lighting = LightingMode::Formula;
         view.lights.ambient.0[4] = Vec3::X;
-        let all = CoatTraits { bent: true, cut: true, direction_map: true, levels: true };
+        let all = CoatTraits { bent: true, cut: true, direction_map: true };
         assert_eq!(
             Variant::new(&view, all, [true, true, false]).flags(),
             ["PIXEL", "MAP", "BENT", "CUT", "LEVELS", "THICKENED", "KEPT", "SPLIT", "AXES"]

@@ -74,13 +74,13 @@ impl PreparedView {
 
     /// Whether the next frame draws the shadow map anew: the light, the fur's length or the shells have changed, or it was asked for.
     pub fn shadows_are_stale(&self) -> bool {
-        self.frame.resources.shadows.as_ref().is_some_and(|(shadows, _)| ShadowMap::is_stale(shadows))
+        self.frame.resources.shadows.as_ref().is_some_and(ShadowMap::is_stale)
     }
 
     /// Has the shadow map drawn anew with the next frame: where a coat's arrays or textures have changed on the device, where the commands that
     /// [`crate::Renderer::compute`] recorded were never submitted, or to measure what it costs.
     pub fn redraw_shadows(&self) {
-        if let Some((shadows, _)) = &self.frame.resources.shadows {
+        if let Some(shadows) = &self.frame.resources.shadows {
             shadows.redraw();
         }
     }

@@ -5,7 +5,7 @@ use wgpu::{Buffer, Device, Queue};
 
 use crate::frame_groups::{FrameBuffers, FrameGroups, GroupParts};
 use crate::renderer::Shared;
-use crate::shadow::{Casters, ShadowMap};
+use crate::shadow::ShadowMap;
 use crate::textures::upload_table;
 use crate::{GpuCoat, LightingMode, RenderError, View};
 
@@ -40,7 +40,7 @@ pub(crate) struct Maker<'a> {
 pub(crate) struct Resources {
     needs: Needs,
     pub(crate) groups: FrameGroups,
-    pub(crate) shadows: Option<(ShadowMap, Casters)>,
+    pub(crate) shadows: Option<ShadowMap>,
 }
 
 impl Resources {
@@ -67,20 +67,16 @@ impl Resources {
     }
 }
 
-fn shadows(maker: &Maker<'_>, needs: Needs) -> Option<(ShadowMap, Casters)> {
-    let casters = |side| {
-        let casters = maker.shared.casters.get(maker.device, &maker.shared.pipelines, maker.coat.traits);
-        (ShadowMap::new(maker.device, side), casters)
-    };
-    needs.shadow_side.map(casters)
+fn shadows(maker: &Maker<'_>, needs: Needs) -> Option<ShadowMap> {
+    needs.shadow_side.map(|side| ShadowMap::new(maker.device, side))
 }
 
-fn groups(maker: &Maker<'_>, needs: Needs, shadows: Option<&(ShadowMap, Casters)>) -> Result<FrameGroups, RenderError> {
+fn groups(maker: &Maker<'_>, needs: Needs, shadows: Option<&ShadowMap>) -> Result<FrameGroups, RenderError> {
     let factors = match &needs.table {
         Some((hair, layout)) => upload_table(maker.device, maker.queue, &LightingTable::new(hair, *layout)?),
         None => maker.shared.no_table.clone(),
     };
-    let parts = GroupParts { factors: &factors, anisotropy: needs.anisotropy, shadows: shadows.map(|(map, _)| &map.targets) };
+    let parts = GroupParts { factors: &factors, anisotropy: needs.anisotropy, shadows: shadows.map(|map| &map.targets) };
     Ok(FrameGroups::new(maker.device, maker.shared, maker.coat, maker.buffers, maker.second, &parts))
 }
 

@@ -14,7 +14,7 @@ use wgpu::{
 };
 
 use crate::buffers::room;
-use crate::pipelines::{CoatTraits, PRELUDE, Pipelines, shell_buffers};
+use crate::pipelines::{PRELUDE, Pipelines, shell_buffers};
 use crate::schedule::{MOST_SHELLS, Schedule};
 use crate::shader::assemble;
 use crate::{GpuCoat, View};
@@ -213,21 +213,35 @@ pub(crate) struct Casters {
     slices: RenderPipeline,
 }
 
+/// What their shaders are compiled for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub(crate) struct Casting {
+    /// Hair bends on its way.
+    pub(crate) bent: bool,
+    /// Hair is cut off somewhere.
+    pub(crate) cut: bool,
+    /// Shells are more or less than their image.
+    pub(crate) thickened: bool,
+    /// Two levels of detail are blended.
+    pub(crate) levels: bool,
+}
+
 /// Those made so far.
 #[derive(Debug, Default)]
-pub(crate) struct CasterCache(Mutex<HashMap<CoatTraits, Casters>>);
+pub(crate) struct CasterCache(Mutex<HashMap<Casting, Casters>>);
 
 impl CasterCache {
-    pub(crate) fn get(&self, device: &Device, pipelines: &Pipelines, traits: CoatTraits) -> Casters {
+    pub(crate) fn get(&self, device: &Device, pipelines: &Pipelines, casting: Casting) -> Casters {
         // A panic elsewhere leaves whole pipelines in the map.
         let mut made = self.0.lock().unwrap_or_else(PoisonError::into_inner);
-        made.entry(traits).or_insert_with(|| Casters::new(device, pipelines, traits)).clone()
+        made.entry(casting).or_insert_with(|| Casters::new(device, pipelines, casting)).clone()
     }
 }
 
 impl Casters {
-    fn new(device: &Device, pipelines: &Pipelines, traits: CoatTraits) -> Self {
-        let flags = [("BENT", traits.bent), ("CUT", traits.cut), ("LEVELS", traits.levels), ("THICKENED", true)];
+    fn new(device: &Device, pipelines: &Pipelines, casting: Casting) -> Self {
+        let Casting { bent, cut, thickened, levels } = casting;
+        let flags = [("BENT", bent), ("CUT", cut), ("THICKENED", thickened), ("LEVELS", levels)];
         let flags: Vec<&str> = flags.iter().filter_map(|&(name, on)| on.then_some(name)).collect();
         let files =
             [PRELUDE[0], PRELUDE[1], PRELUDE[2], PRELUDE[3], include_str!("shaders/shadow.wgsl"), include_str!("shaders/shadow_cast.wgsl")];
