@@ -1,4 +1,4 @@
-//! The bunny as saved does not pop: the camera turned about it, and drawn back from it, by small steps.
+//! The bunny as saved does not pop as the camera turns about it by small steps.
 #![allow(clippy::print_stdout, reason = "how even the steps are")]
 
 use std::sync::Arc;

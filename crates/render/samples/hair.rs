@@ -128,8 +128,11 @@ fn composite(stack: &mut Vec<Vec<[f32; 4]>>, pair: &[ShellLayer]) -> ShellLayer 
     let below = &stack[lower.image as usize];
     let both = below.iter().zip(&stack[upper.image as usize]).map(|(below, above)| {
         let through = 1.0 - above[3];
-        seen += above[3] + through * below[3];
-        height += above[3] * upper.light_height + through * below[3] * lower.light_height;
+        // As most of a coat is seen, at N·V = 2/3.
+        let aslant = |alpha: f32| 1.0 - (1.0 - alpha).max(0.0).powf(1.5);
+        let (near, far) = (aslant(above[3]), (1.0 - aslant(above[3])) * aslant(below[3]));
+        seen += near + far;
+        height += near * upper.light_height + far * lower.light_height;
         std::array::from_fn(|c| above[c] + through * below[c])
     });
     let image = both.collect();

@@ -29,6 +29,9 @@ pub struct Crowd {
     shell_runs: Vec<Run>,
 }
 
+/// Most places: what an instance's word has room for beside the shell.
+const MOST_PLACES: u32 = 1 << 24;
+
 /// Instances of one level.
 #[derive(Clone, Debug, PartialEq)]
 struct Run {
@@ -63,7 +66,11 @@ impl Crowd {
         let words = 4 * u64::from(most) * u64::from(coat.layers().max(1));
         let limits = device.limits();
         let limit = limits.max_storage_buffer_binding_size.min(limits.max_buffer_size);
-        if bytes.max(words) > limit || most > 1 << 24 {
+        if most > MOST_PLACES {
+            let (needed, limit) = (most.into(), MOST_PLACES.into());
+            return Err(RenderError::Limit { what: "places of a crowd, so draw several", needed, limit });
+        }
+        if bytes.max(words) > limit {
             return Err(RenderError::Limit { what: "bytes of places of a crowd, so draw several", needed: bytes.max(words), limit });
         }
         let places = room(device, "places", BufferUsages::STORAGE, bytes);
@@ -97,6 +104,9 @@ impl Crowd {
         }
         if places.iter().any(|place| !place.is_finite()) {
             return Err(RenderError::View { what: "a place of the crowd" });
+        }
+        if let Some(place) = places.iter().position(|place| place.determinant() < 0.0) {
+            return Err(RenderError::Mirrored { place });
         }
         for (level, prepared) in self.levels.iter_mut().enumerate() {
             prepared.update(device, queue, shared, (&of_level(view, level), world))?;

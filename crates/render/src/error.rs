@@ -68,6 +68,12 @@ pub enum RenderError {
         /// What.
         what: &'static str,
     },
+    /// A matrix of negative determinant.
+    #[error("place {place} of the crowd mirrors the coat, which would show its insides; mirror the mesh instead")]
+    Mirrored {
+        /// Which place.
+        place: usize,
+    },
     /// wgpu refused something: a mistake of this crate.
     #[error("the graphics device reported: {0}")]
     Validation(String),

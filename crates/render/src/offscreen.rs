@@ -102,7 +102,7 @@ impl Offscreen {
         let stride = readback::row_stride(width);
         let buffer = readback::readable(device, u64::from(stride) * u64::from(height));
         let mut encoder = self.encoder();
-        let plan = FramePlan { attachments, hidden: view.options.hidden };
+        let plan = FramePlan { attachments, hidden: view.options.hidden && view.options.culling };
         self.encode(&mut encoder, &plan, &mut prepared, self.timer.as_ref());
         let counts = Counts::record(device, &mut encoder, &prepared);
         readback::copy_pixels(&mut encoder, &attachments.pixels, &buffer);
@@ -128,7 +128,7 @@ impl Offscreen {
         let Some(attachments) = &self.attachments else { return Ok(FrameTimes::default()) };
         let _one_at_a_time = self.lock();
         let mut prepared = self.prepare(coat, view, background)?;
-        let plan = FramePlan { attachments, hidden: view.options.hidden };
+        let plan = FramePlan { attachments, hidden: view.options.hidden && view.options.culling };
         let (device, queue) = (self.headless.device(), self.headless.queue());
         let mut draw = |timer: Option<&PassTimer>| {
             let start = Instant::now();

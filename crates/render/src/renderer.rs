@@ -102,7 +102,8 @@ impl Renderer {
         PreparedView::new(device, queue, &self.shared, coat, (view, viewpoint))
     }
 
-    /// Moves a view to the next frame's: a few kilobytes are written, pipelines are made where options are used for the first time.
+    /// Moves a view to the next frame's: a few kilobytes are written, pipelines are made where options are used for the first
+    /// time, or a view comes between two levels of detail.
     ///
     /// # Errors
     /// Those of [`Renderer::prepare`]; the view is then as it was.
@@ -159,7 +160,7 @@ impl Renderer {
         Crowd::new(device, queue, &self.shared, coat, (view, world), most)
     }
 
-    /// Moves a crowd to the next frame: `places` are the matrices from the coat to the world; `world` is the camera with
+    /// Moves a crowd to the next frame: `places` are the matrices from the coat to the world, which turn, move and scale evenly and do not mirror; `world` is the camera with
     /// [`Viewpoint::clip_from_coat`] from the world to clip space and the eye in the world.
     ///
     /// # Errors

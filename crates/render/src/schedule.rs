@@ -19,7 +19,6 @@ pub(crate) struct Shell {
     light_height: f32,
     step: f32,
     images: u32,
-    directions: u32,
     above: u32,
     opacity: f32,
     layers: f32,
@@ -29,6 +28,7 @@ pub(crate) struct Shell {
     top_light: f32,
     bottom: f32,
     bottom_light: f32,
+    asked: f32,
     unused: [f32; 2],
 }
 
@@ -46,6 +46,8 @@ pub(crate) struct Schedule {
     pub(crate) marched: u32,
     /// How far the level has become the next: 0 to 1.
     pub(crate) blend: f32,
+    /// Whether this is one of several levels.
+    pub(crate) of_several: bool,
     /// How many shells there are for a unit of height.
     pub(crate) layers_per_height: f32,
     /// The level, with the part of the way to the next.
@@ -64,7 +66,7 @@ impl Schedule {
         let Some(fine) = levels.get(base as usize) else { return Self::default() };
         let coarse = levels.get(base as usize + 1).map(Vec::as_slice).filter(|_| blend > 0.0);
         let stride = 1_u32 << (base as u32).min(16);
-        let mut schedule = Self { level, blend, ..Self::default() };
+        let mut schedule = Self { level, blend, of_several: levels.len() > 1, ..Self::default() };
         schedule.shells = match coarse {
             Some(coarse) => blended(fine, coarse, blend),
             None => fine.iter().map(|&layer| shell(layer)).collect(),
@@ -125,11 +127,9 @@ impl Schedule {
         let asked = |k: u32| options.layers.contains(k * stride);
         let carries = |k: &u32| (count - 1 - k).is_multiple_of(self.marched) && (self.lowest_of(*k)..k + 1).any(asked);
         self.drawn = (1..count).filter(carries).collect();
-        if self.marched > 1 {
-            // What is not asked for is there to be passed through.
-            for shell in (1..).zip(&mut self.shells[1..]).filter_map(|(k, shell)| (!asked(k)).then_some(shell)) {
-                (shell.opacity, shell.later_opacity) = (0.0, 0.0);
-            }
+        // What is not asked for is there to be passed through.
+        for (k, shell) in (0..).zip(&mut self.shells) {
+            shell.asked = if asked(k) { 1.0 } else { 0.0 };
         }
     }
 
@@ -195,7 +195,6 @@ fn blended(fine: &[ShellLayer], coarse: &[ShellLayer], blend: f32) -> Vec<Shell>
             let light_height = layer.light_height + blend * (into.light_height - layer.light_height);
             Shell {
                 images: both(layer.image, into.image),
-                directions: both(layer.image, into.image),
                 later_opacity: into.opacity,
                 later_layers: into.layers,
                 ..shell(ShellLayer { light_height, ..layer })
@@ -212,7 +211,6 @@ fn shell(layer: ShellLayer) -> Shell {
         light_height: layer.light_height,
         step: 0.0,
         images: both(layer.image, layer.image),
-        directions: both(layer.image, layer.image),
         above: 0,
         opacity: layer.opacity,
         layers: layer.layers,
@@ -222,6 +220,7 @@ fn shell(layer: ShellLayer) -> Shell {
         top_light: layer.light_height,
         bottom: layer.height,
         bottom_light: layer.light_height,
+        asked: 1.0,
         unused: [0.0; 2],
     }
 }

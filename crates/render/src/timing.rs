@@ -10,7 +10,7 @@ use crate::{RenderError, readback};
 /// Milliseconds of each pass on the graphics device.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct PassTimes {
-    /// What is worked out ahead: which fins, which faces, blended levels of detail.
+    /// What is worked out ahead: which fins and which faces; not what the skin hides, nor the shadow map, which is drawn only when it is stale.
     pub compute: f64,
     /// Background and skin.
     pub surface: f64,

@@ -46,7 +46,7 @@ impl FrameUniform {
         let density = (shadow.density.max(0.0) as f32).min(1e30);
         let uniform = Self {
             clip_from_coat: viewpoint.clip_from_coat.to_cols_array_2d(),
-            eye: four(viewpoint.eye, schedule.shells.len() as f32),
+            eye: four(viewpoint.eye, 0.0),
             toward_eye: four(viewpoint.toward_eye, schedule.blend),
             lights: std::array::from_fn(|i| lights.get(i).map_or([[0.0; 4]; 2], |l| [four(l.direction, 0.0), four(l.colour, 0.0)])),
             irradiance: view.lights.ambient.0.map(|term| four(term, 0.0)),

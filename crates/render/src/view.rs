@@ -40,15 +40,18 @@ pub struct Viewpoint {
 impl Viewpoint {
     /// A camera's, for a picture of `width` × `height` pixels.
     pub fn of(camera: &Camera, (width, height): (u32, u32)) -> Self {
-        let pixels = Vec2::new(width as f32, height as f32);
+        // Of no pixels nothing is drawn, and no number comes of dividing by them.
+        let pixels = Vec2::new(width.max(1) as f32, height.max(1) as f32);
         Self { clip_from_coat: camera.view_projection(pixels.x / pixels.y), eye: camera.eye, toward_eye: camera.toward_eye(), pixels }
     }
 
     /// A coat placed in a world of the caller's: `clip_from_world` is their projection and view, `eye` is where they look from, `world_from_coat` the
-    /// model matrix. Viewer at infinity is who looks from there at the coat's origin. Lights are the caller's to carry over.
+    /// model matrix. Viewer at infinity is who looks from there at the coat's origin. Lights are the caller's to carry over. A model matrix that mirrors turns fronts
+    /// into backs: mirror the mesh instead.
     pub fn placed(clip_from_world: Mat4, eye: Vec3, world_from_coat: Mat4, (width, height): (u32, u32)) -> Self {
         let eye = world_from_coat.inverse().transform_point3(eye);
-        let pixels = Vec2::new(width as f32, height as f32);
+        // Of no pixels nothing is drawn, and no number comes of dividing by them.
+        let pixels = Vec2::new(width.max(1) as f32, height.max(1) as f32);
         Self { clip_from_coat: clip_from_world * world_from_coat, eye, toward_eye: eye.normalize_or_zero(), pixels }
     }
 

@@ -185,6 +185,10 @@ fn a_crowd_says_what_it_cannot_hold() {
     let mut update = |places: &[Mat4]| renderer.update_crowd(&host.device, &host.queue, &mut crowd, (&view, &world()), places);
     assert!(matches!(update(&places()), Err(RenderError::Limit { needed: 3, limit: 2, .. })));
     assert!(matches!(update(&[Mat4::from_translation(Vec3::NAN)]), Err(RenderError::View { .. })));
+    assert!(matches!(update(&[Mat4::IDENTITY, Mat4::from_scale(Vec3::new(-1.0, 1.0, 1.0))]), Err(RenderError::Mirrored { place: 1 })));
     assert!(update(&[]).is_ok() && update(&places()[..2]).is_ok());
-    assert!(matches!(renderer.prepare_crowd(&host.device, &host.queue, &coat, (&view, &world()), 1 << 25), Err(RenderError::Limit { .. })));
+    assert!(matches!(
+        renderer.prepare_crowd(&host.device, &host.queue, &coat, (&view, &world()), 1 << 25),
+        Err(RenderError::Limit { needed: 0x200_0000, limit: 0x100_0000, .. })
+    ));
 }

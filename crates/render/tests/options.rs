@@ -7,7 +7,7 @@ use std::sync::Arc;
 
 use glam::Vec3;
 use pelage_coat::{Camera, Coat, Encoding, MipImage, ShellTexture};
-use pelage_render::{Headless, March, Options, Picture, RenderError, Renderer, ShellDepth, ShellRange, Target, View};
+use pelage_render::{Headless, March, Options, Picture, RenderError, Renderer, ShadowOptions, ShellDepth, ShellRange, Target, View};
 use texpresso::Format;
 
 use support::samples::hair::Recipe;
@@ -103,6 +103,22 @@ fn a_march_passes_over_layers_that_are_not_asked_for() {
         let (mean, _) = difference(&only(3, range), &only(1, range));
         assert!(mean < 1.8, "{range:?}: {mean}");
         assert!(difference(&only(3, range), &only(3, ShellRange::default())).0 > 0.5, "{range:?} leaves something out");
+    }
+}
+
+#[test]
+fn what_a_march_passes_over_shades_and_casts_as_it_does_elsewhere() {
+    let range = ShellRange { first: 1, end: 4, left_out: None };
+    for (what, shading) in [
+        ("shade", Options { hair_shadow: 1.0, ..Options::default() }),
+        ("shadow", Options { shadows: Some(ShadowOptions { side: 256 }), ..Options::default() }),
+    ] {
+        let at = |layers: u32, range: ShellRange| {
+            let options = Options { layers: range, march: March { layers, steps: 1 }, step_blur: 0.0, ..shading };
+            seen(&square(0.5), squarely(), options)
+        };
+        let (mean, _) = difference(&at(3, range), &at(1, range));
+        assert!(mean < 1.0, "{what}: {mean}");
     }
 }
 

@@ -311,6 +311,22 @@ fn a_lost_device_is_reported_and_a_new_one_draws_the_same() {
 }
 
 #[test]
+fn a_viewpoint_of_no_pixels_is_none_that_fails() {
+    let mut stage = Stage::plain();
+    let coat = stage.upload(&ball());
+    let here = view(Options::default());
+    let mut prepared = stage.prepare(&coat, &here);
+    let first = stage.frame(&prepared);
+    for size in [(0, 0), (0, 9), (9, 0)] {
+        stage.size = size;
+        stage.update(&mut prepared, &here);
+    }
+    stage.size = SIZE;
+    stage.update(&mut prepared, &here);
+    assert!(stage.frame(&prepared) == first);
+}
+
+#[test]
 fn five_lights_are_refused() {
     let mut many = view(Options::default());
     many.lights.directional = vec![many.lights.directional[0]; 5];

@@ -112,8 +112,8 @@ fn every_level_covers_and_colours_a_distant_ball_alike() {
         let off = colour.iter().zip(finest.0).map(|(a, b)| (a / b - 1.0).abs()).fold(0.0, f64::max);
         println!("level {level}: coverage {:+.4} of {:.4}, colour within {:.1} %", coverage - finest.1, finest.1, 100.0 * off);
         // What stands out over the outline goes with the outermost shells. The colour is that of hair seen along itself, deeper down than one sees from
-        // aside, and lit at its mean height.
-        let (most_coverage, most_colour) = [(0.005, 0.07), (0.008, 0.16), (0.06, 0.4)][(level.ceil() as usize).max(1) - 1];
+        // aside, and lit at its mean height; and the samples composite before they make mips, which loses light that pelage-volume keeps.
+        let (most_coverage, most_colour) = [(0.005, 0.07), (0.008, 0.14), (0.06, 0.36)][(level.ceil() as usize).max(1) - 1];
         assert!((coverage - finest.1).abs() < most_coverage, "level {level}: coverage {coverage}, not {}", finest.1);
         assert!(off < most_colour, "level {level}: colour off by {off}");
     }
@@ -187,6 +187,9 @@ fn levels_meet_whatever_the_options() {
                 let whole = difference(&at(level - 1.0), &at(level)).0;
                 assert!(mean < 0.02 && most <= 3, "{what}, level {level}: {mean} {most}");
                 assert!(whole > 0.5, "there is something to blend: {whole}");
+                // The blend begins as smoothly.
+                let (mean, most) = difference(&at(level - 0.5), &at(level - 0.5 + 2e-3));
+                assert!(mean < 0.02 && most <= 3, "{what}, level {level}, where its blend begins: {mean} {most}");
             }
         }
     }
@@ -299,6 +302,16 @@ fn a_real_dolly_out_does_not_pop_either() {
     let most = factors.iter().map(|factor| (factor / expected - 1.0).abs()).fold(0.0, f64::max);
     println!("the covered area is off its course by {:.2} % a step at most", 100.0 * most);
     assert!(most < 0.05, "{most}: {factors:?}");
+    // Colour goes on evenly, too, where levels that change at once let it jump.
+    let jump = |pictures: &[Picture]| {
+        let colour = |step: usize| colour_and_coverage(&pictures[step], &nothing(from(1.03_f32.powi(step as i32)))).0;
+        (1..pictures.len()).map(|step| (colour(step)[0] / colour(step - 1)[0] - 1.0).abs()).fold(0.0, f64::max)
+    };
+    let at_once = Options { detail: Detail::Whole(1.0), ..options };
+    let jumping: Vec<Picture> = (0..=64).map(|step| seen(&coat, from(1.03_f32.powi(step)), at_once)).collect();
+    let (blended, whole) = (jump(&pictures), jump(&jumping));
+    println!("a step changes colour by {:.2} % at most, {:.2} % where levels change at once", 100.0 * blended, 100.0 * whole);
+    assert!(blended < 0.5 * whole, "{blended} {whole}");
 }
 
 #[test]

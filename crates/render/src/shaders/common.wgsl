@@ -7,7 +7,7 @@ struct Light {
 
 struct Frame {
     clip_from_coat: mat4x4f,
-    eye: vec4f,           // the eye; how many shells there are
+    eye: vec4f,           // w unused
     toward_eye: vec4f,    // the viewer at infinity; how far one level of detail has become the next, 0 … 1
     lights: array<Light, 4>,
     irradiance: array<vec4f, 9>,  // coefficients of 1, y, z, x, xy, yz, 3z² − 1, xz, x² − y² of the normal
@@ -29,8 +29,7 @@ struct Shell {
     height: f32,
     light_height: f32,
     step: f32,         // to the next shell, in heights
-    images: u32,
-    directions: u32,   // images of the direction map
+    images: u32,       // of the stack and of the direction map
     above: u32,        // the shell that shades it
     opacity: f32,      // multiplies α; then
     layers: f32,       // α becomes 1 − (1 − α)^layers
@@ -40,6 +39,7 @@ struct Shell {
     top_light: f32,
     bottom: f32,       // the lowest layer that it shows
     bottom_light: f32,
+    asked: f32,        // 0 where a march is to pass it over
     unused: vec2f,
 };
 

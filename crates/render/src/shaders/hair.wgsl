@@ -1,13 +1,11 @@
 // What a shell shows.
 
+#if LEVELS
 // How far one level of detail has become the next (L16).
 fn later() -> f32 {
-#if LEVELS
     return frame.toward_eye.w;
-#else
-    return 0.0;
-#endif
 }
+#endif
 
 // A shell's image at a place of the tile; while levels blend, every second one's towards that of the next level, and of those between towards nothing.
 fn hair_at(tile: vec2f, place_among: u32, bias: f32) -> vec4f {
@@ -17,14 +15,12 @@ fn hair_at(tile: vec2f, place_among: u32, bias: f32) -> vec4f {
     hair = thickened_hair(hair, shell.opacity, shell.layers);
 #endif
 #if LEVELS
-    if later() > 0.0 {
-        let coarse = textureSampleBias(shell_images, tile_sampler, tile, shell.images >> 16u, bias);
+    let coarse = textureSampleBias(shell_images, tile_sampler, tile, shell.images >> 16u, bias);
 #if THICKENED
-        hair = mix(hair, thickened_hair(coarse, shell.later_opacity, shell.later_layers), later());
+    hair = mix(hair, thickened_hair(coarse, shell.later_opacity, shell.later_layers), later());
 #else
-        hair = mix(hair, coarse * shell.later_opacity, later());
+    hair = mix(hair, coarse * shell.later_opacity, later());
 #endif
-    }
 #endif
     return hair;
 }

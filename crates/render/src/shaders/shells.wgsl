@@ -166,9 +166,7 @@ fn first_light(v: Vertex, direction: vec3f, toward_eye: vec3f, depth: f32) -> ve
 fn mapped_direction(tile: vec2f, images: u32, blur: f32) -> vec3f {
     var direction = textureSampleBias(hair_directions, tile_sampler, tile, images & 0xffffu, blur).xyz;
 #if LEVELS
-    if later() > 0.0 {
-        direction = mix(direction, textureSampleBias(hair_directions, tile_sampler, tile, images >> 16u, blur).xyz, later());
-    }
+    direction = mix(direction, textureSampleBias(hair_directions, tile_sampler, tile, images >> 16u, blur).xyz, later());
 #endif
     return direction;
 }
@@ -189,9 +187,7 @@ fn shaded(in: ShellVertex, tile: vec2f, place_among: u32) -> f32 {
     let above = shells[place_among].above;
     var covered = covered_by(in, tile, place_among, above & 0xffffu);
 #if LEVELS
-    if later() > 0.0 {
-        covered = mix(covered, covered_by(in, tile, place_among, above >> 16u), later());
-    }
+    covered = mix(covered, covered_by(in, tile, place_among, above >> 16u), later());
 #endif
     return covered;
 }
@@ -204,7 +200,7 @@ fn first_response(in: ShellVertex, tile: vec2f, place_among: u32) -> vec3f {
 #if PIXEL
     var cosines = in.cosines.xy;
 #if MAP
-    let mapped = mapped_direction(tile, shells[place_among].directions, in.tile.z) * 2.0 - 1.0;
+    let mapped = mapped_direction(tile, shells[place_among].images, in.tile.z) * 2.0 - 1.0;
     cosines = vec2f(dot(mapped, in.light_in_tile), dot(mapped, in.half_in_tile));
 #endif
     response = reflected(factors(cosines.x, cosines.y) * vec2f(1.0, in.cosines.z));
@@ -244,10 +240,10 @@ fn shell_colour(in: ShellVertex) -> vec4f {
         let between = f32(i % steps) / f32(steps);
         let height = mix(shells[upper].height, shells[below].height, between);
         let tile = in.tile.xy + slide * (top - height);
-        var hair = hair_at(tile, upper, in.tile.z);
+        var hair = hair_at(tile, upper, in.tile.z) * shells[upper].asked;
         if steps > 1u {
             // A sample of the volume between two layers stands for a part of one.
-            hair = mix(hair, hair_at(tile, below, in.tile.z), between);
+            hair = mix(hair, hair_at(tile, below, in.tile.z) * shells[below].asked, between);
             hair = thickened_hair(hair, 1.0, 1.0 / f32(steps));
         }
         hair *= kept(in, top - height);

@@ -47,9 +47,7 @@ fn surface_vertex(@location(0) index: u32, @location(1) tile: vec2f) -> SurfaceV
 fn skin_at(tile: vec2f) -> vec3f {
     var seen = textureSample(shell_images, tile_sampler, tile, shells[0].images & 0xffffu).rgb;
 #if LEVELS
-    if later() > 0.0 {
-        seen = mix(seen, textureSample(shell_images, tile_sampler, tile, shells[0].images >> 16u).rgb, later());
-    }
+    seen = mix(seen, textureSample(shell_images, tile_sampler, tile, shells[0].images >> 16u).rgb, later());
 #endif
     return seen;
 }
