@@ -15,12 +15,15 @@ fn hair_at(tile: vec2f, place_among: u32, bias: f32) -> vec4f {
     hair = thickened_hair(hair, shell.opacity, shell.layers);
 #endif
 #if LEVELS
-    let coarse = textureSampleBias(shell_images, tile_sampler, tile, shell.images >> 16u, bias);
+    var coarse = vec4f(0.0);
+    // A shell that fades fetches once. One triangle is of one shell, so that the four pixels which a level of detail is taken from go the same way.
+    if shell.later_opacity > 0.0 {
+        coarse = textureSampleBias(shell_images, tile_sampler, tile, shell.images >> 16u, bias);
 #if THICKENED
-    hair = mix(hair, thickened_hair(coarse, shell.later_opacity, shell.later_layers), later());
-#else
-    hair = mix(hair, coarse * shell.later_opacity, later());
+        coarse = thickened_hair(coarse, shell.later_opacity, shell.later_layers);
 #endif
+    }
+    hair = mix(hair, coarse, later());
 #endif
     return hair;
 }
