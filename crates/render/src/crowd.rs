@@ -9,7 +9,7 @@ use wgpu::{Buffer, BufferUsages, Device, IndexFormat, Queue, RenderPass};
 use crate::buffers::room;
 use crate::frame::Frame;
 use crate::frame_groups::FrameBuffers;
-use crate::renderer::Shared;
+use crate::shared::Shared;
 use crate::{Detail, GpuCoat, Options, RenderError, View, Viewpoint, schedule};
 
 /// One coat at many places at once: a draw for each run of places with the same level of detail, in place of a view, its buffers and its draws for each.

@@ -6,10 +6,10 @@ use wgpu::{Buffer, CommandEncoder, Device, IndexFormat, Queue, RenderPass, Rende
 
 use crate::frame_groups::FrameBuffers;
 use crate::pipelines::{PassPipelines, Variant};
-use crate::renderer::Shared;
 use crate::resources::{Maker, Needs, Resources};
 use crate::schedule::Schedule;
 use crate::shadow::{Casters, Casting, LightView};
+use crate::shared::Shared;
 use crate::uniforms::{FrameUniform, GROWTH_LENGTH, MOST_SEGMENTS};
 use crate::{GpuCoat, RenderError, View, Viewpoint};
 

@@ -5,9 +5,9 @@ use wgpu::{BindGroup, BindingResource, Buffer, BufferUsages, Device, Sampler, Te
 use crate::GpuCoat;
 use crate::bindings::bind;
 use crate::buffers::room;
-use crate::renderer::Shared;
 use crate::schedule::{MOST_SHELLS, Shell};
 use crate::shadow::ShadowTargets;
+use crate::shared::Shared;
 use crate::uniforms::FrameUniform;
 
 /// The buffers that a view writes anew for each frame.

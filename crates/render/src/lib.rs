@@ -96,6 +96,7 @@ mod schedule;
 mod selection;
 mod shader;
 mod shadow;
+mod shared;
 mod target;
 mod textures;
 mod tile_frame;

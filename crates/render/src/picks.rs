@@ -5,8 +5,8 @@ use std::ops::Range;
 use wgpu::{BindGroup, Buffer, CommandEncoder, ComputePass, ComputePassDescriptor, Device, Queue, TextureView};
 
 use crate::pyramid::Pyramid;
-use crate::renderer::Shared;
 use crate::selection::{Kind, Selection};
+use crate::shared::Shared;
 use crate::{DepthBuffer, GpuCoat};
 
 /// The edges with a fin, the faces that can be seen, and what hides some of them.

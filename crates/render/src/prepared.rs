@@ -8,9 +8,9 @@ use crate::frame::Frame;
 use crate::frame_groups::FrameBuffers;
 use crate::furred_faces::last_run;
 use crate::picks::Picks;
-use crate::renderer::Shared;
 use crate::schedule::Schedule;
 use crate::shadow::ShadowMap;
+use crate::shared::Shared;
 use crate::{DepthBuffer, GpuCoat, RenderError, View, Viewpoint};
 
 /// A view of a coat, ready to be drawn, and to be moved to where the next frame is seen from.

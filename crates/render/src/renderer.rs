@@ -2,17 +2,10 @@
 
 use glam::Mat4;
 use pelage_coat::{Coat, Encoding};
-use wgpu::{
-    AddressMode, CommandEncoder, CompareFunction, ComputePassDescriptor, ComputePassTimestampWrites, Device, Features, FilterMode,
-    MipmapFilterMode, Queue, RenderPass, Sampler, SamplerDescriptor, TextureView,
-};
+use wgpu::{CommandEncoder, ComputePassDescriptor, ComputePassTimestampWrites, Device, Features, Queue, RenderPass};
 
 use crate::crowd::Crowd;
-use crate::pipelines::Pipelines;
-use crate::pyramid::PyramidBuilder;
-use crate::selection::Selectors;
-use crate::shadow::{CasterCache, ShadowTargets};
-use crate::textures::no_table;
+use crate::shared::Shared;
 use crate::{DepthBuffer, GpuCoat, GpuTextures, PreparedView, RenderError, Target, View, Viewpoint, limits};
 
 /// Pipelines for one kind of target.
@@ -22,44 +15,13 @@ pub struct Renderer {
     shared: Shared,
 }
 
-/// What all views share.
-#[derive(Debug)]
-pub(crate) struct Shared {
-    pub(crate) pipelines: Pipelines,
-    pub(crate) selectors: Selectors,
-    pub(crate) pyramids: PyramidBuilder,
-    pub(crate) casters: CasterCache,
-    /// Bound where no shadows are asked for.
-    pub(crate) no_shadow: ShadowTargets,
-    pub(crate) shadow_sampler: Sampler,
-    /// Bound where no table is asked for.
-    pub(crate) no_table: TextureView,
-    pub(crate) table_sampler: Sampler,
-}
-
 impl Renderer {
     /// A renderer for passes with this kind of target.
     ///
     /// The device's limits must be wgpu's defaults at least (five storage buffers in the vertex stage, eight in compute shaders are used); no features are
     /// needed, but for textures in blocks `TEXTURE_COMPRESSION_BC`.
     pub fn new(device: &Device, queue: &Queue, target: Target) -> Self {
-        let shared = Shared {
-            pipelines: Pipelines::new(device, target),
-            selectors: Selectors::new(device, target),
-            pyramids: PyramidBuilder::new(device, target),
-            casters: CasterCache::default(),
-            no_shadow: ShadowTargets::new(device, 1),
-            shadow_sampler: device.create_sampler(&SamplerDescriptor {
-                label: Some("shadow"),
-                mag_filter: FilterMode::Linear,
-                min_filter: FilterMode::Linear,
-                compare: Some(CompareFunction::LessEqual),
-                ..SamplerDescriptor::default()
-            }),
-            no_table: no_table(device, queue),
-            table_sampler: sampler(device, "table", AddressMode::ClampToEdge, AddressMode::ClampToEdge, 1),
-        };
-        Self { target, shared }
+        Self { target, shared: Shared::new(device, queue, target) }
     }
 
     /// What it draws into.
@@ -209,16 +171,6 @@ impl Renderer {
     }
 }
 
-impl Shared {
-    /// For the tile and for the fin, which is toroidal along the skin, not from tips to roots.
-    pub(crate) fn hair_samplers(&self, device: &Device, anisotropy: u16) -> [Sampler; 2] {
-        [
-            sampler(device, "tile", AddressMode::Repeat, AddressMode::Repeat, anisotropy),
-            sampler(device, "fin", AddressMode::Repeat, AddressMode::ClampToEdge, anisotropy),
-        ]
-    }
-}
-
 fn check(device: &Device, coat: &Coat) -> Result<(), RenderError> {
     coat.check()?;
     limits::check_coat(&device.limits(), coat)?;
@@ -232,17 +184,4 @@ fn check(device: &Device, coat: &Coat) -> Result<(), RenderError> {
         return Err(RenderError::Encoding { what: "in blocks of 4 × 4 that do not fill it", remedy: "sample at least 4 × 4 texels" });
     }
     Ok(())
-}
-
-fn sampler(device: &Device, label: &str, u: AddressMode, v: AddressMode, anisotropy: u16) -> Sampler {
-    device.create_sampler(&SamplerDescriptor {
-        label: Some(label),
-        address_mode_u: u,
-        address_mode_v: v,
-        mag_filter: FilterMode::Linear,
-        min_filter: FilterMode::Linear,
-        mipmap_filter: MipmapFilterMode::Linear,
-        anisotropy_clamp: anisotropy,
-        ..SamplerDescriptor::default()
-    })
 }

@@ -4,8 +4,8 @@ use pelage_lighting::{HairLighting, LightingTable, TableLayout};
 use wgpu::{Buffer, Device, Queue};
 
 use crate::frame_groups::{FrameBuffers, FrameGroups, GroupParts};
-use crate::renderer::Shared;
 use crate::shadow::ShadowMap;
+use crate::shared::Shared;
 use crate::textures::upload_table;
 use crate::{GpuCoat, LightingMode, RenderError, View};
 
