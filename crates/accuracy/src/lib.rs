@@ -39,18 +39,25 @@
 //!   Alternating Images*, High Performance Graphics 2020.
 //! - IEC 61966-2-1:1999, the sRGB transfer function.
 
+mod distance;
 mod error;
+mod field;
 mod flip;
 mod image;
 mod mask;
+mod pareto;
 mod percentile;
 mod picture;
 mod rmse;
+mod silhouette;
 
 pub use error::AccuracyError;
+pub use field::{FieldError, direction_error, field_error};
 pub use flip::{DEFAULT_PIXELS_PER_DEGREE, ErrorMap, FlipReport, PIXELS_PER_DEGREE_RANGE, flip};
 pub use image::{Image, MAX_PIXELS};
 pub use mask::{dilate, union, unlike_background};
+pub use pareto::pareto_front;
 pub use percentile::percentile;
-pub use picture::heat_picture;
+pub use picture::{difference_picture, heat_picture};
 pub use rmse::{linear_light, rmse_linear};
+pub use silhouette::{ProfileBin, Silhouette, silhouette};
