@@ -6,7 +6,7 @@ use crate::distance::signed_distance;
 /// Opacity at one distance from the outline.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct ProfileBin {
-    /// Pixels from the reference's outline, outside positive: the bin holds distances within half a pixel of it.
+    /// Pixels from the reference's outline, outside positive: 0.5 is the bin of all distances up to 1.
     pub distance: f64,
     /// How many pixels lie there, at least 1.
     pub pixels: usize,
@@ -20,7 +20,7 @@ pub struct ProfileBin {
 #[derive(Debug, Clone, PartialEq)]
 #[non_exhaustive]
 pub struct Silhouette {
-    /// One for each whole pixel of distance at which there are pixels, from within to without.
+    /// One for each pixel of distance at which there are any, from within to without.
     pub profile: Vec<ProfileBin>,
     /// Pixels by which the test reaches further out than the reference (negative: less far): the area that it covers more, by the length of the outline, which is
     /// the area within reach by twice the reach. An opaque outline that is moved by a pixel all along has 1. Too small where the subject is thinner than the reach.
@@ -59,9 +59,10 @@ pub fn silhouette(width: u32, height: u32, reference: &[u8], test: &[u8], reach:
     }
     // No distance is greater than the diagonal.
     let reach = reach.min(width.saturating_add(height)) as usize;
-    let mut sums = vec![(0usize, 0u64, 0u64); 2 * reach + 1];
+    let mut sums = vec![(0usize, 0u64, 0u64); 2 * reach];
     for (index, distance) in signed_distance(width as usize, &inside).into_iter().enumerate() {
-        let bin = distance.round() + reach as f64;
+        // Never 0: the centre of a pixel is half a pixel from its edge or more.
+        let bin = if distance > 0.0 { distance.ceil() - 1.0 } else { distance.floor() } + reach as f64;
         if bin >= 0.0 && (bin as usize) < sums.len() {
             let sum = &mut sums[bin as usize];
             *sum = (sum.0 + 1, sum.1 + u64::from(reference[index]), sum.2 + u64::from(test[index]));
@@ -77,7 +78,7 @@ impl Silhouette {
         let bins = sums.iter().enumerate().filter(|(_, sum)| sum.0 > 0);
         let profile: Vec<ProfileBin> = bins
             .map(|(bin, &(pixels, reference, test))| ProfileBin {
-                distance: bin as f64 - reach as f64,
+                distance: bin as f64 - reach as f64 + 0.5,
                 pixels,
                 reference: mean(reference, pixels),
                 test: mean(test, pixels),
@@ -112,10 +113,9 @@ mod tests {
         let plane = half_plane(32, 255);
         let found = silhouette(SIDE, SIDE, &plane, &plane, 5).unwrap();
         assert_eq!((found.shift, found.rms, found.bias), (0.0, 0.0, 0.0));
-        // Distances of centres are ±0.5, ±1.5 …, which are rounded away from zero.
         let profile: Vec<(f64, f64)> = found.profile.iter().map(|bin| (bin.distance, bin.test)).collect();
         let step =
-            [-5.0, -4.0, -3.0, -2.0, -1.0, 1.0, 2.0, 3.0, 4.0, 5.0].map(|distance| (distance, if distance < 0.0 { 1.0 } else { 0.0 }));
+            [-4.5, -3.5, -2.5, -1.5, -0.5, 0.5, 1.5, 2.5, 3.5, 4.5].map(|distance| (distance, if distance < 0.0 { 1.0 } else { 0.0 }));
         assert_eq!(profile, step);
         assert!(found.profile.iter().all(|bin| bin.pixels == SIDE as usize));
     }
