@@ -1,9 +1,9 @@
 //! The textures of a picture.
 
 use wgpu::{
-    Color, CommandEncoder, Device, Extent3d, LoadOp, Operations, QuerySet, RenderPass, RenderPassColorAttachment, RenderPassDepthStencilAttachment,
-    RenderPassDescriptor, RenderPassTimestampWrites, StoreOp, Texture, TextureDescriptor, TextureDimension, TextureFormat, TextureUsages,
-    TextureView, TextureViewDescriptor,
+    Color, CommandEncoder, Device, Extent3d, LoadOp, Operations, QuerySet, RenderPass, RenderPassColorAttachment,
+    RenderPassDepthStencilAttachment, RenderPassDescriptor, RenderPassTimestampWrites, StoreOp, Texture, TextureDescriptor,
+    TextureDimension, TextureFormat, TextureUsages, TextureView, TextureViewDescriptor,
 };
 
 use crate::Target;

@@ -1,8 +1,6 @@
 //! How many samples pass the tests.
 
-use wgpu::{
-    Buffer, BufferDescriptor, BufferUsages, CommandEncoder, Device, QuerySet, QuerySetDescriptor, QueryType, RenderPass,
-};
+use wgpu::{Buffer, BufferDescriptor, BufferUsages, CommandEncoder, Device, QuerySet, QuerySetDescriptor, QueryType, RenderPass};
 
 use crate::{RenderError, readback};
 

@@ -12,8 +12,8 @@ use crate::counts::Counts;
 use crate::fragments::{FragmentCounter, Part, counted};
 use crate::timing::PassTimer;
 use crate::{
-    DepthBuffer, FrameStats, FrameTimes, GpuCoat, Headless, PassTimes, Picture, PreparedView, RenderError, Renderer, Target, View, Viewpoint, limits,
-    readback,
+    DepthBuffer, FrameStats, FrameTimes, GpuCoat, Headless, PassTimes, Picture, PreparedView, RenderError, Renderer, Target, View,
+    Viewpoint, limits, readback,
 };
 
 /// Frames before the clock runs: the first compiles shaders, the next fill caches.
@@ -134,9 +134,10 @@ impl Offscreen {
         }
         let mut timed = self.timed_frame(coat, view, background)?;
         let times = (0..frames).map(|_| timed.draw()).collect::<Result<Vec<f64>, _>>()?;
-        let passes = self.timer.as_ref().map_or(Ok(Vec::new()), |timer| {
-            (0..frames).map(|_| timed.draw_passes(timer)).collect::<Result<Vec<_>, _>>()
-        })?;
+        let passes = self
+            .timer
+            .as_ref()
+            .map_or(Ok(Vec::new()), |timer| (0..frames).map(|_| timed.draw_passes(timer)).collect::<Result<Vec<_>, _>>())?;
         self.headless.check()?;
         Ok(FrameTimes::of(times, &passes))
     }
@@ -174,7 +175,8 @@ impl Offscreen {
     /// What is computed ahead, then one drawing pass, or three of them if they are timed or what is hidden is left out.
     fn encode(&self, encoder: &mut CommandEncoder, plan: &FramePlan<'_>, view: &mut PreparedView, measures: Measures<'_>) {
         let (attachments, Measures { timer, counter }) = (plan.attachments, measures);
-        let measured = |pass| PassMeasures { times: timer.map(|timer| timer.writes(pass)), fragments: counter.map(FragmentCounter::queries) };
+        let measured =
+            |pass| PassMeasures { times: timer.map(|timer| timer.writes(pass)), fragments: counter.map(FragmentCounter::queries) };
         self.renderer.compute_timed(encoder, view, timer.map(PassTimer::compute_writes));
         if timer.is_none() && !plan.hidden {
             let mut pass = attachments.pass(encoder, "frame", Place { first: true, last: true }, measured(0));
