@@ -90,8 +90,11 @@ impl Measure {
             (None, Some(graph)) => Description::of_graph(graph),
             (None, None) => return Err(Failure::Usage("give GRAPH.ron or --sweep SWEEP.ron".into())),
         };
-        for vary in &self.vary {
+        for (index, vary) in self.vary.iter().enumerate() {
             let (target, values) = split_assignment("--vary", vary)?;
+            if self.vary[..index].iter().any(|before| before.split_once('=').is_some_and(|(other, _)| other == target)) {
+                return Err(Failure::Usage(format!("--vary {target} is given twice; give all its values at once: {target}=a,b,c")));
+            }
             description.vary.insert(target.to_owned(), split_values(vary, values)?);
         }
         for finest in &self.finest {
