@@ -131,11 +131,11 @@ fn what_is_beaten_is_on_no_front() {
 fn a_saved_sweep_says_the_same_and_twice_the_same_bytes() {
     let folder = folder();
     std::fs::create_dir(folder.path().join("sweeps")).unwrap();
-    let sweep = r#"Sweep(title: "two", graph: "../fur.ron", against: Output("truth.image"), set: { "picture.samples": 1 },
+    let sweep = r#"Sweep(title: "two", graph: "../fur.ron", against: Output("truth.image"), rounds: 2, set: { "picture.samples": 1 },
         vary: { "shells.layers": [2, 6], "picture.lighting": [Vertices, Table(size: 4)] })"#;
     std::fs::write(folder.path().join("sweeps/two.ron"), sweep).unwrap();
     for out in ["a", "b"] {
-        let (code, said, error) = measure(folder.path(), &["--sweep", "sweeps/two.ron", "--rounds", "1", "-q", "-o", out]);
+        let (code, said, error) = measure(folder.path(), &["--sweep", "sweeps/two.ron", "-q", "-o", out]);
         assert_eq!((code, said.as_str()), (0, ""), "{error}");
     }
     let (code, _, error) = measure(
@@ -168,6 +168,10 @@ fn a_saved_sweep_says_the_same_and_twice_the_same_bytes() {
         csv.lines().map(steady).collect::<Vec<_>>()
     };
     assert_eq!(untimed("a").len(), 5);
+    assert_eq!(
+        ["a", "c"].map(|out| table(folder.path(), &format!("{out}/sweep.json"))["rounds"].clone()),
+        [Value::from(2), Value::from(1)]
+    );
     assert_eq!(untimed("a"), untimed("b"));
     assert_eq!(untimed("a"), untimed("c"));
     let sheet = |out: &str| std::fs::read(folder.path().join(out).join("sheet.png")).unwrap();

@@ -22,6 +22,8 @@ pub(crate) struct Description {
     pub(crate) finest: IndexMap<String, String>,
     /// Whether that is made anew for each setting.
     pub(crate) each: bool,
+    /// Times that each frame is timed.
+    pub(crate) rounds: Option<u32>,
     pub(crate) set: IndexMap<String, String>,
     pub(crate) vary: IndexMap<String, Vec<String>>,
     /// Where paths in its values begin.
@@ -43,6 +45,8 @@ struct Saved {
     finest: IndexMap<String, Box<RawValue>>,
     #[serde(default)]
     each: bool,
+    #[serde(default)]
+    rounds: Option<u32>,
     #[serde(default)]
     set: IndexMap<String, Box<RawValue>>,
     vary: IndexMap<String, Vec<Box<RawValue>>>,
@@ -66,6 +70,7 @@ impl Description {
             against: None,
             finest: IndexMap::new(),
             each: false,
+            rounds: None,
             set: IndexMap::new(),
             vary: IndexMap::new(),
             directory: here(),
@@ -93,6 +98,7 @@ impl Description {
             },
             finest: texts(saved.finest),
             each: saved.each,
+            rounds: saved.rounds,
             set: texts(saved.set),
             vary: saved.vary.into_iter().map(|(target, values)| (target, values.iter().map(|raw| text(raw)).collect())).collect(),
             directory,

@@ -18,6 +18,9 @@ use description::{Description, split_assignment, split_values};
 use plan::Plan;
 use results::Results;
 
+/// Times that each frame is timed, where nothing is said.
+const ROUNDS: u32 = 9;
+
 #[derive(Args)]
 pub(crate) struct Measure {
     /// The graph.
@@ -44,9 +47,9 @@ pub(crate) struct Measure {
     /// Pixels of the pictures, instead of the graph's; of what is measured against, too.
     #[arg(long, value_name = "WxH", value_parser = size)]
     size: Option<(u32, u32)>,
-    /// Times that each frame is timed, in turn with the others.
-    #[arg(long, value_name = "N", default_value_t = 9, value_parser = clap::value_parser!(u32).range(1..=100_000))]
-    rounds: u32,
+    /// Times that each frame is timed, in turn with the others; what the sweep says, or 9, without.
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=100_000))]
+    rounds: Option<u32>,
     /// The folder to write sweep.csv, sweep.json, sweep.svg and sheet.png to.
     #[arg(short, long = "out", value_name = "DIR")]
     out: PathBuf,
@@ -73,10 +76,10 @@ impl Measure {
             let _ = rayon::ThreadPoolBuilder::new().num_threads(threads.into()).build_global();
         }
         let description = self.description()?;
+        let rounds = self.rounds.or(description.rounds).unwrap_or(ROUNDS).max(1);
         let plan = Plan::new(&description, &self.overrides, self.size)?;
-        let measured =
-            run::measure(&plan, &run::How { rounds: self.rounds, threads: self.threads, quiet: self.quiet, verbose: self.verbose })?;
-        let results = Results::new(&description, &plan, &measured, self.rounds);
+        let measured = run::measure(&plan, &run::How { rounds, threads: self.threads, quiet: self.quiet, verbose: self.verbose })?;
+        let results = Results::new(&description, &plan, &measured, rounds);
         if !self.quiet {
             crate::output::print(&results.to_table())?;
         }

@@ -132,7 +132,8 @@ fn measure(place: &Place, sweep: &Measured) -> Result<()> {
         .within(place.root())
         .run()?;
     let figures = place.at(FIGURES).join(format!("sweep-{}.csv", sweep.name));
-    let shown = [("sweep.svg", place.at(FOLDER).join(sweep.plot)), ("sheet.png", place.at(FOLDER).join(sweep.sheet)), ("sweep.csv", figures)];
+    let shown =
+        [("sweep.svg", place.at(FOLDER).join(sweep.plot)), ("sheet.png", place.at(FOLDER).join(sweep.sheet)), ("sweep.csv", figures)];
     shown.iter().try_for_each(|(file, to)| fs::copy(out.join(file), to).map(drop).map_err(|cause| Failure::caused(to.display(), cause)))
 }
 
@@ -159,7 +160,11 @@ pub(crate) fn faults(place: &Place) -> Result<Vec<String>> {
 }
 
 fn files() -> impl Iterator<Item = &'static str> {
-    PICTURES.iter().map(|picture| picture.file).chain(EXAMPLES.iter().map(|(file, _)| *file)).chain(SWEEPS.iter().flat_map(|sweep| [sweep.plot, sweep.sheet]))
+    PICTURES
+        .iter()
+        .map(|picture| picture.file)
+        .chain(EXAMPLES.iter().map(|(file, _)| *file))
+        .chain(SWEEPS.iter().flat_map(|sweep| [sweep.plot, sweep.sheet]))
 }
 
 fn missing(exists: impl Fn(&str) -> bool) -> Vec<String> {
