@@ -80,4 +80,41 @@ pub enum AccuracyError {
         /// The value given.
         found: f64,
     },
+    /// A picture that is opaque all over, or nowhere, has no outline.
+    #[error("{opaque} of {pixels} pixels are opaque, so that there is no outline: is the subject whole in the picture?")]
+    NoOutline {
+        /// Pixels whose alpha is one half or more.
+        opaque: usize,
+        /// All pixels.
+        pixels: usize,
+    },
+    /// Two fields of different sizes.
+    #[error("the reference has values at {reference} places and the test at {test}: compare them on one mesh")]
+    FieldLength {
+        /// Values of the reference.
+        reference: usize,
+        /// Values of the test.
+        test: usize,
+    },
+    /// A row of a sweep that does not fit its columns.
+    #[error("row {row} of the sweep has {found} values for {expected} columns")]
+    RowLength {
+        /// Which row, from 0.
+        row: usize,
+        /// How many columns there are.
+        expected: usize,
+        /// How many values the row has.
+        found: usize,
+    },
+    /// A column that a sweep does not have.
+    #[error("the sweep has no column {name:?}; it has {known}")]
+    NoSuchColumn {
+        /// What was asked for.
+        name: String,
+        /// Those there are.
+        known: String,
+    },
+    /// A plot that could not be drawn.
+    #[error("the plot could not be drawn: {0}")]
+    Plot(String),
 }

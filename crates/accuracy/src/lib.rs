@@ -1,11 +1,15 @@
 //! How far one picture is from another, as numbers a test can bound and a person can read.
 //!
-//! The crate knows nothing of fur: pictures come in as plain sRGB bytes, numbers come out. Three measures, each over the whole
+//! The crate knows nothing of fur: pictures come in as plain sRGB bytes, numbers come out. The measures of pictures, each over the whole
 //! picture or over a *mask* of the pixels that matter:
 //!
 //! - [`flip`]: the error a person would see when the two pictures alternate on a screen, 0 (none) to 1, per pixel, with mean,
 //!   99th percentile and maximum. Standard library code (`nv-flip`), not ours.
 //! - [`rmse_linear`]: root mean square error of linear light, for errors of energy that the eye forgives.
+//! - [`silhouette`]: alpha across the reference's outline: whether the subject has grown, and whether its edge is softer.
+//! - [`heat_picture`], [`difference_picture`]: where it is.
+//! - [`field_error`], [`direction_error`]: of what comes before a picture, numbers and directions at places.
+//! - [`Sweep`]: the settings of a program with what each costs and errs, as CSV, as JSON and (feature `plot`) as SVG; [`pareto_front`]: which of them are worth their cost.
 //! - [`percentile`]: the nearest-rank percentile of any error values, so that other crates need not each invent one.
 //!
 //! # Convention
@@ -33,24 +37,42 @@
 //! # Ok::<(), pelage_accuracy::AccuracyError>(())
 //! ```
 //!
+//! # Features
+//!
+//! `plot`: the plot of a sweep.
+//!
 //! # Papers
 //!
 //! - P. Andersson, J. Nilsson, T. Akenine-Möller, M. Oskarsson, K. Åström, M. D. Fairchild: *FLIP: A Difference Evaluator for
 //!   Alternating Images*, High Performance Graphics 2020.
+//! - P. F. Felzenszwalb, D. P. Huttenlocher: *Distance Transforms of Sampled Functions*, Theory of Computing 8, 2012.
 //! - IEC 61966-2-1:1999, the sRGB transfer function.
 
+mod distance;
 mod error;
+mod field;
 mod flip;
 mod image;
 mod mask;
+mod pareto;
 mod percentile;
 mod picture;
+#[cfg(feature = "plot")]
+mod plot;
 mod rmse;
+mod silhouette;
+mod sweep;
 
 pub use error::AccuracyError;
+pub use field::{FieldError, direction_error, field_error};
 pub use flip::{DEFAULT_PIXELS_PER_DEGREE, ErrorMap, FlipReport, PIXELS_PER_DEGREE_RANGE, flip};
 pub use image::{Image, MAX_PIXELS};
 pub use mask::{dilate, union, unlike_background};
+pub use pareto::pareto_front;
 pub use percentile::percentile;
-pub use picture::heat_picture;
+pub use picture::{difference_picture, heat_picture};
+#[cfg(feature = "plot")]
+pub use plot::Panel;
 pub use rmse::{linear_light, rmse_linear};
+pub use silhouette::{ProfileBin, Silhouette, silhouette};
+pub use sweep::{Column, Row, Sweep};

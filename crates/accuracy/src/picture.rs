@@ -1,6 +1,7 @@
 //! Errors as a picture for a person.
 
-use crate::{AccuracyError, ErrorMap};
+use crate::image::check_pair;
+use crate::{AccuracyError, ErrorMap, Image, linear_light};
 
 /// How much of its brightness a pixel keeps that did not count.
 const OUTSIDE: u8 = 3;
@@ -31,9 +32,34 @@ pub fn heat_picture(map: &ErrorMap, mask: Option<&[u8]>) -> Result<Vec<u8>, Accu
     Ok(rgb)
 }
 
+/// The signed difference of linear light, `test` less `reference`, as sRGB bytes, three a pixel: middle grey (half of the byte's range) where they are alike, brighter in each channel in
+/// which the test is brighter. `gain` (1 unless a faint difference is to be seen) multiplies the difference, of which black to white, 1, goes from grey to the end of the range.
+///
+/// # Errors
+///
+/// [`SizeMismatch`](AccuracyError::SizeMismatch).
+pub fn difference_picture(reference: Image, test: Image, gain: f32) -> Result<Vec<u8>, AccuracyError> {
+    check_pair(reference, test, None)?;
+    let light: Vec<f64> = (0..=255).map(linear_light).collect();
+    // A float cast saturates.
+    let byte = |(&a, &b): (&u8, &u8)| (127.5 + 127.5 * f64::from(gain) * (light[usize::from(b)] - light[usize::from(a)])).round() as u8;
+    Ok(reference.rgb().iter().zip(test.rgb()).map(byte).collect())
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn a_difference_has_a_sign() {
+        let (a, b) = ([0, 255, 188], [255, 0, 188]);
+        let image = |rgb| Image::new(1, 1, rgb).unwrap();
+        assert_eq!(difference_picture(image(&a), image(&b), 1.0), Ok(vec![255, 0, 128]));
+        let dark = difference_picture(image(&[0; 3]), image(&[0, 10, 188]), 1.0).unwrap();
+        // Half of the light, and 10 / 255 / 12.92 of it.
+        assert_eq!(dark, [128, 128, 192]);
+        assert_eq!(difference_picture(image(&[0; 3]), image(&[0, 10, 188]), 40.0), Ok(vec![128, 143, 255]));
+    }
 
     fn map(values: Vec<f32>) -> ErrorMap {
         ErrorMap { width: values.len() as u32, height: 1, values }

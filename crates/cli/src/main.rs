@@ -7,6 +7,7 @@ mod curves;
 mod failure;
 mod graph;
 mod inspect;
+mod measure;
 mod nodes;
 mod output;
 mod progress;
@@ -35,6 +36,8 @@ enum Command {
     Nodes(nodes::Nodes),
     /// What is in a model: counts, genus, quality.
     Inspect(inspect::Inspect),
+    /// What settings of a graph cost and how far their pictures err: CSV, JSON, SVG and a contact sheet.
+    Measure(measure::Measure),
     /// The hair on the surface as curves, for other ray tracers.
     Curves(curves::Export),
     /// Table 1 of the paper: how fast each model of a folder is drawn, with half and with all layers.
@@ -48,6 +51,7 @@ fn main() -> ExitCode {
         Command::Check(command) => command.run(),
         Command::Nodes(command) => command.run(),
         Command::Inspect(command) => command.run(),
+        Command::Measure(command) => command.run(),
         Command::Curves(command) => command.run(),
         Command::Survey(command) => command.run(),
     };

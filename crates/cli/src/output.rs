@@ -25,6 +25,24 @@ pub(crate) fn write_file(path: &Path, bytes: &[u8]) -> Result<(), Failure> {
     replace_file(&target, bytes)
 }
 
+/// Writes several files into a folder. All are written whole beside it first, so that a failure leaves the folder as it was; other files in it stay.
+pub(crate) fn write_files(folder: &Path, files: &[(&str, Vec<u8>)]) -> Result<(), Failure> {
+    let parent = match folder.parent() {
+        Some(parent) if !parent.as_os_str().is_empty() => parent,
+        _ => Path::new("."),
+    };
+    let write = || -> std::io::Result<()> {
+        std::fs::create_dir_all(parent)?;
+        let whole = tempfile::Builder::new().prefix(".pelage-").tempdir_in(parent)?;
+        for (name, bytes) in files {
+            std::fs::write(whole.path().join(name), bytes)?;
+        }
+        std::fs::create_dir_all(folder)?;
+        files.iter().try_for_each(|(name, _)| std::fs::rename(whole.path().join(name), folder.join(name)))
+    };
+    write().map_err(|error| Failure::input(folder.display(), &error))
+}
+
 fn replace_file(path: &Path, bytes: &[u8]) -> Result<(), Failure> {
     let folder = match path.parent() {
         Some(folder) if !folder.as_os_str().is_empty() => folder,

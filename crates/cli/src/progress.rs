@@ -18,10 +18,19 @@ impl Progress {
         let hidden = quiet || verbose || !std::io::stderr().is_terminal();
         let target = if hidden { ProgressDrawTarget::hidden() } else { ProgressDrawTarget::stderr() };
         let bar = ProgressBar::with_draw_target(Some(0), target);
-        if let Ok(style) = ProgressStyle::with_template("{bar:30} {pos}/{len} {msg}") {
+        if let Ok(style) = ProgressStyle::with_template("{bar:30} {pos}/{len} {prefix} {msg}") {
             bar.set_style(style);
         }
         Self { bar, running: Mutex::default(), verbose }
+    }
+
+    /// Says what the run is, of several.
+    pub(crate) fn title(&self, title: &str) {
+        self.bar.set_prefix(title.to_owned());
+        if self.verbose {
+            // Nothing is left to do if standard error is gone.
+            let _ = writeln!(std::io::stderr(), "{title}");
+        }
     }
 
     /// Takes the bar away.

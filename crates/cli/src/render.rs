@@ -156,16 +156,14 @@ pub(crate) fn node_of(output: &str) -> &str {
 }
 
 fn png(picture: &Picture) -> Result<Vec<u8>, Failure> {
+    encode_png(&picture.rgba, (picture.width, picture.height), image::ExtendedColorType::Rgba8)
+}
+
+/// Pixels as a PNG file.
+pub(crate) fn encode_png(pixels: &[u8], (width, height): (u32, u32), colour: image::ExtendedColorType) -> Result<Vec<u8>, Failure> {
     let mut bytes = Vec::new();
-    image::write_buffer_with_format(
-        &mut Cursor::new(&mut bytes),
-        &picture.rgba,
-        picture.width,
-        picture.height,
-        image::ExtendedColorType::Rgba8,
-        image::ImageFormat::Png,
-    )
-    .map_err(|error| Failure::input("the picture", &error))?;
+    image::write_buffer_with_format(&mut Cursor::new(&mut bytes), pixels, width, height, colour, image::ImageFormat::Png)
+        .map_err(|error| Failure::input("the picture", &error))?;
     Ok(bytes)
 }
 

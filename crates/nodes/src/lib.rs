@@ -43,6 +43,8 @@ mod shading;
 #[cfg(feature = "gpu")]
 mod sheet;
 mod stats;
+#[cfg(feature = "gpu")]
+mod turns;
 
 pub use coat::{LayFur, LengthsAs};
 pub use creature::{Animal, BodyPart, CreatureNode, PartFields, PartFur};
@@ -57,7 +59,7 @@ pub use models::{ObjFile, Plane, RoundedDie, Sphere, Torus};
 pub use patches::GrowPatches;
 pub use pelage_reference::Curves;
 #[cfg(feature = "gpu")]
-pub use pelage_render::{Picture, RenderError};
+pub use pelage_render::{Fragments, FrameStats, Picture, RenderError};
 #[cfg(feature = "gpu")]
 pub use picture::{DepthMode, FinsOn, FrameReport, Gpu, LightingAt, RenderImage, ShellDetail, TableAxis};
 pub use reference::{HairPlacement, StrandCurves};
@@ -68,3 +70,5 @@ pub use shading::HairLightingNode;
 #[cfg(feature = "gpu")]
 pub use sheet::SideBySide;
 pub use stats::{Stats, repair_counts};
+#[cfg(feature = "gpu")]
+pub use turns::{Contender, fur_of, time_in_turn};

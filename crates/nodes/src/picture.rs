@@ -49,6 +49,8 @@ pub struct FrameReport {
     pub samples: u32,
     /// From where, in what light, which parts of the coat and how.
     pub view: View,
+    /// Over what.
+    pub background: Background,
     /// What was drawn.
     pub stats: FrameStats,
     /// How long a frame takes, if it was to be measured.
@@ -263,7 +265,7 @@ impl Evaluate for RenderImage {
         let measured = cx.wants("frame") && self.repeat > 0;
         let times = if measured { Some(offscreen.time(&coat, &view, &background, self.repeat)?) } else { None };
         let adapter = gpu.headless().summary().clone();
-        let frame = FrameReport { adapter, size: self.size, samples: self.samples, view, stats: picture.frame, times };
+        let frame = FrameReport { adapter, size: self.size, samples: self.samples, view, background, stats: picture.frame, times };
         Ok(RenderImageOutputs { image: Some(Arc::new(picture)), frame: Some(Arc::new(frame)) })
     }
 }

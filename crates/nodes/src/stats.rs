@@ -5,6 +5,8 @@ use pelage_field::DirectionField;
 use pelage_graph::{Evaluation, State};
 use pelage_mesh::{Mesh, RepairReport, Summary};
 use pelage_patch::PatchTiling;
+#[cfg(feature = "gpu")]
+use pelage_render::Fragments;
 use serde_json::{Map, Value, json};
 
 /// The figures of an evaluation: only what applies is there.
@@ -137,6 +139,10 @@ fn frame(report: &crate::FrameReport) -> Value {
         "faces_drawn": stats.faces_drawn, "faces_furred": stats.faces_furred, "patches_drawn": stats.patches_drawn, "level": stats.level,
         "fins_drawn": stats.fins_drawn, "fins_considered": stats.fins_considered, "triangles": stats.triangles,
     });
+    if let Some(fragments) = &stats.fragments {
+        let Fragments { surface, fins, shells } = *fragments;
+        frame["fragments"] = json!({ "surface": surface, "fins": fins, "shells": shells, "total": fragments.total() });
+    }
     if let Some(times) = &report.times {
         frame["frames"] = json!(times.frames);
         frame["ms_min"] = json!(times.ms_min);

@@ -1,9 +1,9 @@
 //! The textures of a picture.
 
 use wgpu::{
-    Color, CommandEncoder, Device, Extent3d, LoadOp, Operations, RenderPass, RenderPassColorAttachment, RenderPassDepthStencilAttachment,
-    RenderPassDescriptor, RenderPassTimestampWrites, StoreOp, Texture, TextureDescriptor, TextureDimension, TextureFormat, TextureUsages,
-    TextureView, TextureViewDescriptor,
+    Color, CommandEncoder, Device, Extent3d, LoadOp, Operations, QuerySet, RenderPass, RenderPassColorAttachment,
+    RenderPassDepthStencilAttachment, RenderPassDescriptor, RenderPassTimestampWrites, StoreOp, Texture, TextureDescriptor,
+    TextureDimension, TextureFormat, TextureUsages, TextureView, TextureViewDescriptor,
 };
 
 use crate::Target;
@@ -26,6 +26,13 @@ pub(crate) struct Place {
     pub(crate) first: bool,
     /// It resolves the samples.
     pub(crate) last: bool,
+}
+
+/// What is found out about a pass.
+#[derive(Default)]
+pub(crate) struct PassMeasures<'a> {
+    pub(crate) times: Option<RenderPassTimestampWrites<'a>>,
+    pub(crate) fragments: Option<&'a QuerySet>,
 }
 
 impl Attachments {
@@ -60,7 +67,7 @@ impl Attachments {
         encoder: &'e mut CommandEncoder,
         label: &str,
         place: Place,
-        times: Option<RenderPassTimestampWrites<'_>>,
+        measured: PassMeasures<'_>,
     ) -> RenderPass<'e> {
         let load = if place.first { LoadOp::Clear(Color::TRANSPARENT) } else { LoadOp::Load };
         let load_depth = if place.first { LoadOp::Clear(self.clear_depth) } else { LoadOp::Load };
@@ -78,7 +85,8 @@ impl Attachments {
                 depth_ops: Some(Operations { load: load_depth, store: if place.last { StoreOp::Discard } else { StoreOp::Store } }),
                 stencil_ops: None,
             }),
-            timestamp_writes: times,
+            timestamp_writes: measured.times,
+            occlusion_query_set: measured.fragments,
             ..RenderPassDescriptor::default()
         })
     }

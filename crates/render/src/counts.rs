@@ -92,6 +92,7 @@ impl Counts {
             fins_drawn: fins,
             fins_considered: view.fins_considered(),
             triangles: skin + 2 * u64::from(view.frame.shown.fin_segments) * u64::from(fins) + shell_faces,
+            fragments: None,
             passes: None,
         })
     }

@@ -6,13 +6,14 @@ use std::time::Instant;
 use pelage_coat::{Background, Coat};
 use wgpu::{CommandEncoder, CommandEncoderDescriptor, TextureFormat};
 
-use crate::attachments::{Attachments, Place};
+use crate::attachments::{Attachments, PassMeasures, Place};
 use crate::background::BackgroundPass;
 use crate::counts::Counts;
+use crate::fragments::{FragmentCounter, Part, counted};
 use crate::timing::PassTimer;
 use crate::{
-    DepthBuffer, FrameStats, FrameTimes, GpuCoat, Headless, Picture, PreparedView, RenderError, Renderer, Target, View, Viewpoint, limits,
-    readback,
+    DepthBuffer, FrameStats, FrameTimes, GpuCoat, Headless, PassTimes, Picture, PreparedView, RenderError, Renderer, Target, View,
+    Viewpoint, limits, readback,
 };
 
 /// Frames before the clock runs: the first compiles shaders, the next fill caches.
@@ -28,6 +29,7 @@ pub struct Offscreen {
     /// None for a picture without pixels.
     attachments: Option<Attachments>,
     timer: Option<PassTimer>,
+    counter: FragmentCounter,
     /// Whoever draws holds it: target, background and timer are one frame's at a time.
     drawing: Mutex<()>,
 }
@@ -68,6 +70,7 @@ impl Offscreen {
             size,
             attachments: (size.0 > 0 && size.1 > 0).then(|| Attachments::new(device, target, size)),
             timer: PassTimer::new(device),
+            counter: FragmentCounter::new(device),
             drawing: Mutex::default(),
         };
         headless.check()?;
@@ -103,7 +106,7 @@ impl Offscreen {
         let buffer = readback::readable(device, u64::from(stride) * u64::from(height));
         let mut encoder = self.encoder();
         let plan = FramePlan { attachments, hidden: view.options.hidden && view.options.culling };
-        self.encode(&mut encoder, &plan, &mut prepared, self.timer.as_ref());
+        self.encode(&mut encoder, &plan, &mut prepared, Measures { timer: self.timer.as_ref(), counter: Some(&self.counter) });
         let counts = Counts::record(device, &mut encoder, &prepared);
         readback::copy_pixels(&mut encoder, &attachments.pixels, &buffer);
         self.headless.queue().submit([encoder.finish()]);
@@ -112,7 +115,8 @@ impl Offscreen {
         let pixels = readback::read(device, &buffer, <[u8]>::to_vec)?;
         let passes = self.timer.as_ref().map(|timer| timer.read(device, self.headless.queue())).transpose()?;
         self.headless.check()?;
-        let frame = FrameStats { passes, ..counts.read(device, &prepared)? };
+        let fragments = Some(self.counter.read(device)?);
+        let frame = FrameStats { passes, fragments, ..counts.read(device, &prepared)? };
         let rows = pixels.chunks(stride as usize).flat_map(|row| &row[..4 * width as usize]);
         let mut rgba: Vec<u8> = rows.copied().collect();
         let coverage = rgba.chunks_exact(4).map(|pixel| pixel[3]).collect();
@@ -125,28 +129,33 @@ impl Offscreen {
     /// # Errors
     /// Those of [`Offscreen::render`].
     pub fn time(&self, coat: &GpuCoat, view: &View, background: &Background, frames: u32) -> Result<FrameTimes, RenderError> {
-        let Some(attachments) = &self.attachments else { return Ok(FrameTimes::default()) };
-        let _one_at_a_time = self.lock();
-        let mut prepared = self.prepare(coat, view, background)?;
-        let plan = FramePlan { attachments, hidden: view.options.hidden && view.options.culling };
-        let (device, queue) = (self.headless.device(), self.headless.queue());
-        let mut draw = |timer: Option<&PassTimer>| {
-            let start = Instant::now();
-            let mut encoder = self.encoder();
-            // As if something had moved.
-            prepared.redraw_shadows();
-            self.encode(&mut encoder, &plan, &mut prepared, timer);
-            queue.submit([encoder.finish()]);
-            readback::wait(device)?;
-            Ok::<f64, RenderError>(start.elapsed().as_secs_f64() * 1e3)
-        };
-        (0..WARM_UP).try_for_each(|_| draw(None).map(|_| ()))?;
-        let times = (0..frames).map(|_| draw(None)).collect::<Result<Vec<f64>, _>>()?;
-        let passes = self.timer.as_ref().map_or(Ok(Vec::new()), |timer| {
-            (0..frames).map(|_| draw(Some(timer)).and_then(|_| timer.read(device, queue))).collect::<Result<Vec<_>, _>>()
-        })?;
+        if self.attachments.is_none() {
+            return Ok(FrameTimes::default());
+        }
+        let mut timed = self.timed_frame(coat, view, background)?;
+        let times = (0..frames).map(|_| timed.draw()).collect::<Result<Vec<f64>, _>>()?;
+        let passes = self
+            .timer
+            .as_ref()
+            .map_or(Ok(Vec::new()), |timer| (0..frames).map(|_| timed.draw_passes(timer)).collect::<Result<Vec<_>, _>>())?;
         self.headless.check()?;
         Ok(FrameTimes::of(times, &passes))
+    }
+
+    /// A frame made ready and warmed up, to be timed in turn with others.
+    ///
+    /// # Errors
+    /// Those of [`Offscreen::render`].
+    pub fn timed_frame(&self, coat: &GpuCoat, view: &View, background: &Background) -> Result<TimedFrame<'_>, RenderError> {
+        let prepared = {
+            let _one_at_a_time = self.lock();
+            self.prepare(coat, view, background)?
+        };
+        let mut timed =
+            TimedFrame { offscreen: self, prepared, background: *background, hidden: view.options.hidden && view.options.culling };
+        (0..WARM_UP).try_for_each(|_| timed.draw().map(|_| ()))?;
+        self.headless.check()?;
+        Ok(timed)
     }
 
     /// A panic elsewhere leaves nothing half drawn: the next frame begins anew.
@@ -165,36 +174,87 @@ impl Offscreen {
     }
 
     /// What is computed ahead, then one drawing pass, or three of them if they are timed or what is hidden is left out.
-    fn encode(&self, encoder: &mut CommandEncoder, plan: &FramePlan<'_>, view: &mut PreparedView, timer: Option<&PassTimer>) {
-        let attachments = plan.attachments;
+    fn encode(&self, encoder: &mut CommandEncoder, plan: &FramePlan<'_>, view: &mut PreparedView, measures: Measures<'_>) {
+        let (attachments, Measures { timer, counter }) = (plan.attachments, measures);
+        let measured =
+            |pass| PassMeasures { times: timer.map(|timer| timer.writes(pass)), fragments: counter.map(FragmentCounter::queries) };
         self.renderer.compute_timed(encoder, view, timer.map(PassTimer::compute_writes));
         if timer.is_none() && !plan.hidden {
-            let mut pass = attachments.pass(encoder, "frame", Place { first: true, last: true }, None);
+            let mut pass = attachments.pass(encoder, "frame", Place { first: true, last: true }, measured(0));
             self.background.draw(&mut pass);
-            self.renderer.draw(&mut pass, view);
-            return;
-        }
-        {
-            let mut pass = attachments.pass(encoder, "surface", Place { first: true, last: false }, timer.map(|timer| timer.writes(0)));
-            self.background.draw(&mut pass);
-            self.renderer.draw_surface(&mut pass, view);
-        }
-        if plan.hidden {
-            let (device, queue) = (self.headless.device(), self.headless.queue());
-            self.renderer.find_hidden(device, queue, encoder, view, DepthBuffer { view: &attachments.depth, size: self.size });
-        }
-        {
-            let mut pass = attachments.pass(encoder, "fins", Place { first: false, last: false }, timer.map(|timer| timer.writes(1)));
-            self.renderer.draw_fins(&mut pass, view);
-        }
-        {
-            let mut pass = attachments.pass(encoder, "shells", Place { first: false, last: true }, timer.map(|timer| timer.writes(2)));
-            self.renderer.draw_shells(&mut pass, view);
+            counted(counter, Part::Surface, &mut pass, |pass| self.renderer.draw_surface(pass, view));
+            counted(counter, Part::Fins, &mut pass, |pass| self.renderer.draw_fins(pass, view));
+            counted(counter, Part::Shells, &mut pass, |pass| self.renderer.draw_shells(pass, view));
+        } else {
+            {
+                let mut pass = attachments.pass(encoder, "surface", Place { first: true, last: false }, measured(0));
+                self.background.draw(&mut pass);
+                counted(counter, Part::Surface, &mut pass, |pass| self.renderer.draw_surface(pass, view));
+            }
+            if plan.hidden {
+                let (device, queue) = (self.headless.device(), self.headless.queue());
+                self.renderer.find_hidden(device, queue, encoder, view, DepthBuffer { view: &attachments.depth, size: self.size });
+            }
+            {
+                let mut pass = attachments.pass(encoder, "fins", Place { first: false, last: false }, measured(1));
+                counted(counter, Part::Fins, &mut pass, |pass| self.renderer.draw_fins(pass, view));
+            }
+            let mut pass = attachments.pass(encoder, "shells", Place { first: false, last: true }, measured(2));
+            counted(counter, Part::Shells, &mut pass, |pass| self.renderer.draw_shells(pass, view));
         }
         if let Some(timer) = timer {
             timer.resolve(encoder);
         }
+        if let Some(counter) = counter {
+            counter.resolve(encoder);
+        }
     }
+}
+
+/// A frame made ready, to be drawn again and again: see [`Offscreen::timed_frame`].
+#[derive(Debug)]
+pub struct TimedFrame<'a> {
+    offscreen: &'a Offscreen,
+    prepared: PreparedView,
+    background: Background,
+    hidden: bool,
+}
+
+impl TimedFrame<'_> {
+    /// Draws the frame to its end, as if something had moved, and says how many milliseconds that took. Nothing is drawn where there are no pixels.
+    ///
+    /// # Errors
+    /// A lost device.
+    pub fn draw(&mut self) -> Result<f64, RenderError> {
+        self.draw_measured(None)
+    }
+
+    fn draw_passes(&mut self, timer: &PassTimer) -> Result<PassTimes, RenderError> {
+        self.draw_measured(Some(timer))?;
+        timer.read(self.offscreen.headless.device(), self.offscreen.headless.queue())
+    }
+
+    fn draw_measured(&mut self, timer: Option<&PassTimer>) -> Result<f64, RenderError> {
+        let offscreen = self.offscreen;
+        let Some(attachments) = &offscreen.attachments else { return Ok(0.0) };
+        let _one_at_a_time = offscreen.lock();
+        let (device, queue) = (offscreen.headless.device(), offscreen.headless.queue());
+        offscreen.background.set(queue, &self.background)?;
+        let start = Instant::now();
+        let mut encoder = offscreen.encoder();
+        self.prepared.redraw_shadows();
+        let plan = FramePlan { attachments, hidden: self.hidden };
+        offscreen.encode(&mut encoder, &plan, &mut self.prepared, Measures { timer, counter: None });
+        queue.submit([encoder.finish()]);
+        readback::wait(device)?;
+        Ok(start.elapsed().as_secs_f64() * 1e3)
+    }
+}
+
+/// What is found out about a frame while it is drawn.
+struct Measures<'a> {
+    timer: Option<&'a PassTimer>,
+    counter: Option<&'a FragmentCounter>,
 }
 
 /// What a frame is drawn from, and into.

@@ -1,6 +1,6 @@
 //! What comes back.
 
-use crate::PassTimes;
+use crate::{Fragments, PassTimes};
 
 /// A finished picture and how it came about.
 #[derive(Clone, Debug, PartialEq)]
@@ -38,6 +38,8 @@ pub struct FrameStats {
     pub fins_considered: u32,
     /// Triangles of skin, drawn fins and shells.
     pub triangles: u64,
+    /// Samples that passed the tests, where they were counted.
+    pub fragments: Option<Fragments>,
     /// Time on the graphics device, where it has timestamps.
     pub passes: Option<PassTimes>,
 }

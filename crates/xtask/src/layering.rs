@@ -68,7 +68,7 @@ const LAWS: &[Law] = &[
             "graph",
         ],
     ),
-    law("crates/cli", &["nodes", "graph", "mesh"]),
+    law("crates/cli", &["nodes", "graph", "mesh", "accuracy"]),
     law("crates/xtask", &[]),
     law("editor", &["nodes", "graph", "render", "coat", "mesh"]),
     Law { folder: "tests", knows: &[], tests: Tests::All },

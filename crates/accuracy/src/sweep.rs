@@ -1,0 +1,210 @@
+//! What settings cost and how far they err: plain tables.
+
+use serde_json::{Map, Value, json};
+
+use crate::{AccuracyError, pareto_front};
+
+/// What a column of numbers means.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Column {
+    /// A word, for scripts.
+    pub name: String,
+    /// Its unit, as a person reads it.
+    pub unit: String,
+    /// Digits after the point: 0 for a count.
+    pub digits: usize,
+}
+
+impl Column {
+    /// A column of counts, or of numbers with so many digits after the point.
+    pub fn new(name: &str, unit: &str, digits: usize) -> Self {
+        Self { name: name.to_owned(), unit: unit.to_owned(), digits }
+    }
+
+    /// A number as the column has it; nothing where there is none.
+    fn text(&self, value: f64) -> String {
+        if value.is_finite() { format!("{value:.*}", self.digits) } else { String::new() }
+    }
+
+    /// The same number, as JSON; null where there is none.
+    fn value(&self, value: f64) -> Value {
+        if !value.is_finite() {
+            return Value::Null;
+        }
+        if self.digits == 0 { json!(value.round() as i64) } else { self.text(value).parse::<f64>().map_or(Value::Null, Value::from) }
+    }
+}
+
+/// One setting, and what it came to.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Row {
+    /// A text for each input that varies.
+    pub settings: Vec<String>,
+    /// A number for each column; NaN where there is none.
+    pub values: Vec<f64>,
+}
+
+/// A table of settings: what was varied, what each setting costs and how far it errs. Less is better in every column that [`front`](Self::front) is asked for.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Sweep {
+    /// Names of the inputs that vary.
+    pub varied: Vec<String>,
+    /// What the numbers mean.
+    pub columns: Vec<Column>,
+    /// The settings, in the order in which they were tried.
+    pub rows: Vec<Row>,
+    /// Pairs of names of columns, cost and error, whose fronts are of interest: each is one more column, `front_COST`, of 1 for what is on it and 0 for the others.
+    pub fronts: Vec<(String, String)>,
+}
+
+impl Sweep {
+    /// Where a column is.
+    ///
+    /// # Errors
+    ///
+    /// [`NoSuchColumn`](AccuracyError::NoSuchColumn).
+    pub fn column(&self, name: &str) -> Result<usize, AccuracyError> {
+        self.columns.iter().position(|column| column.name == name).ok_or_else(|| AccuracyError::NoSuchColumn {
+            name: name.to_owned(),
+            known: self.columns.iter().map(|column| column.name.as_str()).collect::<Vec<_>>().join(", "),
+        })
+    }
+
+    /// That every row has a value for each column, and that there is each column that a front is asked of.
+    ///
+    /// # Errors
+    ///
+    /// [`RowLength`](AccuracyError::RowLength), [`NoSuchColumn`](AccuracyError::NoSuchColumn).
+    pub fn check(&self) -> Result<(), AccuracyError> {
+        for (index, row) in self.rows.iter().enumerate() {
+            for (found, expected) in [(row.settings.len(), self.varied.len()), (row.values.len(), self.columns.len())] {
+                if found != expected {
+                    return Err(AccuracyError::RowLength { row: index, expected, found });
+                }
+            }
+        }
+        self.fronts.iter().try_for_each(|(cost, error)| self.column(cost).and(self.column(error)).map(|_| ()))
+    }
+
+    /// Costs and errors, a pair for each row.
+    ///
+    /// # Errors
+    ///
+    /// Those of [`check`](Self::check).
+    pub fn points(&self, cost: &str, error: &str) -> Result<Vec<(f64, f64)>, AccuracyError> {
+        self.check()?;
+        let (cost, error) = (self.column(cost)?, self.column(error)?);
+        Ok(self.rows.iter().map(|row| (row.values[cost], row.values[error])).collect())
+    }
+
+    /// The rows that no other beats, by rising cost: see [`pareto_front`].
+    ///
+    /// # Errors
+    ///
+    /// Those of [`check`](Self::check).
+    pub fn front(&self, cost: &str, error: &str) -> Result<Vec<usize>, AccuracyError> {
+        Ok(pareto_front(&self.points(cost, error)?))
+    }
+
+    /// As CSV (RFC 4180, but lines end with a line feed alone): a line of names, and one for each row.
+    ///
+    /// # Errors
+    ///
+    /// Those of [`check`](Self::check).
+    pub fn to_csv(&self) -> Result<String, AccuracyError> {
+        let fronts = self.all_fronts()?;
+        let names = self.varied.iter().chain(self.columns.iter().map(|column| &column.name)).map(|name| quoted(name));
+        let mut csv = line(names.chain(fronts.iter().map(|(name, _)| quoted(name))));
+        for (index, row) in self.rows.iter().enumerate() {
+            let settings = row.settings.iter().map(|setting| quoted(setting));
+            let values = self.columns.iter().zip(&row.values).map(|(column, &value)| column.text(value));
+            let on = fronts.iter().map(|(_, front)| u8::from(front.contains(&index)).to_string());
+            csv += &line(settings.chain(values).chain(on));
+        }
+        Ok(csv)
+    }
+
+    /// As JSON: `{ "varied": […], "columns": { NAME: UNIT … }, "fronts": { COST: { "error", "rows" } … }, "rows": [ { "settings": { INPUT: VALUE … }, NAME: NUMBER … } … ] }`.
+    ///
+    /// # Errors
+    ///
+    /// Those of [`check`](Self::check).
+    pub fn to_json(&self) -> Result<Value, AccuracyError> {
+        let mut fronts = Map::new();
+        for (cost, error) in &self.fronts {
+            fronts.insert(cost.clone(), json!({ "error": error, "rows": self.front(cost, error)? }));
+        }
+        let columns: Map<String, Value> = self.columns.iter().map(|column| (column.name.clone(), json!(column.unit))).collect();
+        let row = |row: &Row| {
+            let settings: Map<String, Value> = self.varied.iter().cloned().zip(row.settings.iter().map(|setting| json!(setting))).collect();
+            let mut object = Map::from_iter([("settings".to_owned(), Value::Object(settings))]);
+            object.extend(self.columns.iter().zip(&row.values).map(|(column, &value)| (column.name.clone(), column.value(value))));
+            Value::Object(object)
+        };
+        self.check()?;
+        Ok(json!({ "varied": self.varied, "columns": columns, "fronts": fronts, "rows": self.rows.iter().map(row).collect::<Vec<_>>() }))
+    }
+
+    /// The name of each column of fronts, and the rows on it.
+    fn all_fronts(&self) -> Result<Vec<(String, Vec<usize>)>, AccuracyError> {
+        self.check()?;
+        self.fronts.iter().map(|(cost, error)| Ok((format!("front_{cost}"), self.front(cost, error)?))).collect()
+    }
+}
+
+fn line(cells: impl Iterator<Item = String>) -> String {
+    cells.collect::<Vec<_>>().join(",") + "\n"
+}
+
+/// A text as one cell.
+fn quoted(text: &str) -> String {
+    if text.contains([',', '"', '\n', '\r']) { format!("\"{}\"", text.replace('"', "\"\"")) } else { text.to_owned() }
+}
+
+#[cfg(test)]
+pub(crate) mod tests {
+    use super::*;
+
+    pub(crate) fn sweep() -> Sweep {
+        let row = |layers: &str, cost: f64, error: f64| Row {
+            settings: vec![layers.into(), "Table(size: 4, of: \"x\")".into()],
+            values: vec![cost, error],
+        };
+        Sweep {
+            varied: vec!["shells.layers".into(), "picture.lighting".into()],
+            columns: vec![Column::new("fragments", "samples", 0), Column::new("flip_mean", "0 to 1", 3)],
+            rows: vec![row("4", 100.0, 0.5), row("8", 300.0, 0.125), row("16", 400.0, 0.25), row("32", 800.0, f64::NAN)],
+            fronts: vec![("fragments".into(), "flip_mean".into())],
+        }
+    }
+
+    #[test]
+    fn csv_quotes_what_has_to_be_and_says_what_is_on_the_front() {
+        let csv = sweep().to_csv().unwrap();
+        let lines: Vec<&str> = csv.lines().collect();
+        assert_eq!(lines[0], "shells.layers,picture.lighting,fragments,flip_mean,front_fragments");
+        assert_eq!(lines[1], r#"4,"Table(size: 4, of: ""x"")",100,0.500,1"#);
+        assert!(lines[2].ends_with(",300,0.125,1") && lines[3].ends_with(",400,0.250,0") && lines[4].ends_with(",800,,0"), "{csv}");
+    }
+
+    #[test]
+    fn json_has_the_same() {
+        let json = sweep().to_json().unwrap();
+        assert_eq!(json["fronts"]["fragments"], json!({ "error": "flip_mean", "rows": [0, 1] }));
+        assert_eq!(json["rows"][1]["settings"]["shells.layers"], "8");
+        assert_eq!((&json["rows"][1]["fragments"], &json["rows"][1]["flip_mean"]), (&json!(300), &json!(0.125)));
+        assert_eq!((&json["rows"][3]["flip_mean"], &json["columns"]["fragments"]), (&Value::Null, &json!("samples")));
+    }
+
+    #[test]
+    fn a_torn_table_is_refused() {
+        let mut torn = sweep();
+        torn.rows[2].values.pop();
+        assert_eq!(torn.to_csv(), Err(AccuracyError::RowLength { row: 2, expected: 2, found: 1 }));
+        assert_eq!(torn.to_json(), Err(AccuracyError::RowLength { row: 2, expected: 2, found: 1 }));
+        let mut unknown = sweep();
+        unknown.fronts[0].0 = "joules".into();
+        let error = unknown.to_csv().unwrap_err();
+        assert!(error.to_string().contains("joules") && error.to_string().contains("fragments, flip_mean"), "{error}");
+    }
+}

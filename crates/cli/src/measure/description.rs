@@ -1,0 +1,154 @@
+//! What is to be varied: from the command line, or saved as a file.
+
+use std::path::{Path, PathBuf};
+
+use indexmap::IndexMap;
+use ron::value::RawValue;
+use serde::Deserialize;
+
+use super::here;
+use crate::failure::Failure;
+
+/// A sweep, its values as text.
+pub(crate) struct Description {
+    /// One line that names it.
+    pub(crate) title: String,
+    pub(crate) graph: PathBuf,
+    /// The output that is measured; the graph's own without.
+    pub(crate) output: Option<String>,
+    /// The output that is measured against; the measured one without.
+    pub(crate) against: Option<String>,
+    /// What the one measured against has set.
+    pub(crate) finest: IndexMap<String, String>,
+    /// Whether that is made anew for each setting.
+    pub(crate) each: bool,
+    /// Times that each frame is timed.
+    pub(crate) rounds: Option<u32>,
+    pub(crate) set: IndexMap<String, String>,
+    pub(crate) vary: IndexMap<String, Vec<String>>,
+    /// Where paths in its values begin.
+    pub(crate) directory: PathBuf,
+}
+
+/// The file: `Sweep(graph: …, vary: { "node.input": [ … ] … })`.
+#[derive(Deserialize)]
+#[serde(rename = "Sweep", deny_unknown_fields)]
+struct Saved {
+    #[serde(default)]
+    title: String,
+    graph: PathBuf,
+    #[serde(default)]
+    output: Option<String>,
+    #[serde(default)]
+    against: Against,
+    #[serde(default)]
+    finest: IndexMap<String, Box<RawValue>>,
+    #[serde(default)]
+    each: bool,
+    #[serde(default)]
+    rounds: Option<u32>,
+    #[serde(default)]
+    set: IndexMap<String, Box<RawValue>>,
+    vary: IndexMap<String, Vec<Box<RawValue>>>,
+}
+
+#[derive(Default, Deserialize)]
+enum Against {
+    /// The measured output at its finest.
+    #[default]
+    Finest,
+    /// Another output.
+    Output(String),
+}
+
+impl Description {
+    pub(crate) fn of_graph(graph: &Path) -> Self {
+        Self {
+            title: graph.file_stem().map(|stem| stem.to_string_lossy().into_owned()).unwrap_or_default(),
+            graph: graph.to_owned(),
+            output: None,
+            against: None,
+            finest: IndexMap::new(),
+            each: false,
+            rounds: None,
+            set: IndexMap::new(),
+            vary: IndexMap::new(),
+            directory: here(),
+        }
+    }
+
+    /// Reads a saved sweep; paths in it are relative to its folder.
+    pub(crate) fn read(path: &Path) -> Result<Self, Failure> {
+        let text = std::fs::read_to_string(path).map_err(|error| Failure::input(path.display(), &error))?;
+        let options = ron::Options::default().with_default_extension(ron::extensions::Extensions::IMPLICIT_SOME);
+        let saved: Saved = options.from_str(&text).map_err(|error| {
+            let start = error.span.start;
+            Failure::Input(format!("{}:{}:{}: {}", path.display(), start.line, start.col, error.code))
+        })?;
+        let directory = path.parent().unwrap_or(Path::new("")).to_owned();
+        let text = |raw: &RawValue| raw.trim().get_ron().to_owned();
+        let texts = |map: IndexMap<String, Box<RawValue>>| map.into_iter().map(|(target, raw)| (target, text(&raw))).collect();
+        Ok(Self {
+            title: if saved.title.is_empty() { Self::of_graph(path).title } else { saved.title },
+            graph: directory.join(saved.graph),
+            output: saved.output,
+            against: match saved.against {
+                Against::Finest => None,
+                Against::Output(output) => Some(output),
+            },
+            finest: texts(saved.finest),
+            each: saved.each,
+            rounds: saved.rounds,
+            set: texts(saved.set),
+            vary: saved.vary.into_iter().map(|(target, values)| (target, values.iter().map(|raw| text(raw)).collect())).collect(),
+            directory,
+        })
+    }
+}
+
+/// `NODE.INPUT` and what follows the `=`.
+pub(crate) fn split_assignment<'a>(option: &str, text: &'a str) -> Result<(&'a str, &'a str), Failure> {
+    let parts = text.split_once('=').filter(|(target, _)| target.contains('.'));
+    parts.ok_or_else(|| Failure::Usage(format!("{option} {text}: expected NODE.INPUT=VALUE")))
+}
+
+/// Values with commas between; those within brackets or quotes are theirs.
+pub(crate) fn split_values(option: &str, text: &str) -> Result<Vec<String>, Failure> {
+    let (mut values, mut depth, mut quoted, mut escaped) = (vec![String::new()], 0i32, false, false);
+    for letter in text.chars() {
+        match letter {
+            _ if escaped => escaped = false,
+            '\\' if quoted => escaped = true,
+            '"' => quoted = !quoted,
+            '(' | '[' | '{' if !quoted => depth += 1,
+            ')' | ']' | '}' if !quoted => depth -= 1,
+            ',' if depth == 0 && !quoted => {
+                values.push(String::new());
+                continue;
+            }
+            _ => {}
+        }
+        if let Some(last) = values.last_mut() {
+            last.push(letter);
+        }
+    }
+    let values: Vec<String> = values.into_iter().map(|value| value.trim().to_owned()).collect();
+    if values.iter().any(String::is_empty) {
+        return Err(Failure::Usage(format!("--vary {option}: a value is empty; give NODE.INPUT=a,b,c")));
+    }
+    Ok(values)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn commas_within_a_value_are_its_own() {
+        let split = |text| split_values(text, text).ok();
+        assert_eq!(split("4, 8,16"), Some(vec!["4".into(), "8".into(), "16".into()]));
+        assert_eq!(split("(1, 2),Table(size: 4, by: [1,2])"), Some(vec!["(1, 2)".into(), "Table(size: 4, by: [1,2])".into()]));
+        assert_eq!(split(r#""a,b","c\",d""#), Some(vec![r#""a,b""#.into(), r#""c\",d""#.into()]));
+        assert!(split("").is_none() && split("4,,8").is_none() && split("4,").is_none());
+    }
+}

@@ -1,0 +1,121 @@
+//! `pelage measure`: what settings of a graph cost, and how far their pictures are from the truth.
+
+mod description;
+mod errors;
+mod plan;
+mod results;
+mod run;
+mod sheet;
+
+use std::path::{Path, PathBuf};
+
+use clap::Args;
+
+use crate::failure::Failure;
+use crate::graph::Overrides;
+use crate::render::size;
+use description::{Description, split_assignment, split_values};
+use plan::Plan;
+use results::Results;
+
+/// Times that each frame is timed, where nothing is said.
+const ROUNDS: u32 = 9;
+
+#[derive(Args)]
+pub(crate) struct Measure {
+    /// The graph.
+    #[arg(value_name = "GRAPH.ron", required_unless_present = "sweep", conflicts_with = "sweep")]
+    graph: Option<PathBuf>,
+    /// A saved sweep, which names its graph; what is given here as well goes before it.
+    #[arg(long, value_name = "SWEEP.ron")]
+    sweep: Option<PathBuf>,
+    /// The values of an input, in RON, with commas between: NODE.INPUT=a,b,c. Repeatable: every combination is measured.
+    #[arg(long, value_name = "NODE.INPUT=a,b,c", required_unless_present = "sweep")]
+    vary: Vec<String>,
+    /// The output to measure against, as NODE.image of a ReferenceImage; the measured output at the finest setting without.
+    #[arg(long, value_name = "NODE.PORT")]
+    against: Option<String>,
+    /// An input of what is measured against; without, each input that varies has the last of its values there. Repeatable.
+    #[arg(long, value_name = "NODE.INPUT=VALUE")]
+    finest: Vec<String>,
+    /// Make what is measured against anew for each setting, with only --finest changed: for inputs that change the true picture, as a camera's.
+    #[arg(long)]
+    each: bool,
+    /// Which output to measure, when there are several: one of a RenderImage node.
+    #[arg(long, value_name = "NODE.PORT")]
+    output: Option<String>,
+    /// Pixels of the pictures, instead of the graph's; of what is measured against, too.
+    #[arg(long, value_name = "WxH", value_parser = size)]
+    size: Option<(u32, u32)>,
+    /// Times that each frame is timed, in turn with the others; what the sweep says, or 9, without.
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=100_000))]
+    rounds: Option<u32>,
+    /// The folder to write sweep.csv, sweep.json, sweep.svg and sheet.png to.
+    #[arg(short, long = "out", value_name = "DIR")]
+    out: PathBuf,
+    /// How many nodes run at a time, and on how many threads each; as many as there are cores without.
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=1024))]
+    threads: Option<u16>,
+    /// No progress and no table.
+    #[arg(short, long)]
+    quiet: bool,
+    /// Say what each node did.
+    #[arg(short, long, conflicts_with = "quiet")]
+    verbose: bool,
+    #[command(flatten)]
+    overrides: Overrides,
+}
+
+impl Measure {
+    pub(crate) fn run(&self) -> Result<(), Failure> {
+        if self.out.exists() && !self.out.is_dir() {
+            return Err(Failure::Usage(format!("-o {}: that is a file; name a folder", self.out.display())));
+        }
+        if let Some(threads) = self.threads {
+            // Fails only where a pool exists already, and none does this early.
+            let _ = rayon::ThreadPoolBuilder::new().num_threads(threads.into()).build_global();
+        }
+        let description = self.description()?;
+        let rounds = self.rounds.or(description.rounds).unwrap_or(ROUNDS).max(1);
+        let plan = Plan::new(&description, &self.overrides, self.size)?;
+        let measured = run::measure(&plan, &run::How { rounds, threads: self.threads, quiet: self.quiet, verbose: self.verbose })?;
+        let results = Results::new(&description, &plan, &measured, rounds);
+        if !self.quiet {
+            crate::output::print(&results.to_table())?;
+        }
+        results.write(&self.out, sheet::draw(&measured)?)
+    }
+
+    /// The saved sweep, or none, with what the command line says.
+    fn description(&self) -> Result<Description, Failure> {
+        let mut description = match (&self.sweep, &self.graph) {
+            (Some(path), _) => Description::read(path)?,
+            (None, Some(graph)) => Description::of_graph(graph),
+            (None, None) => return Err(Failure::Usage("give GRAPH.ron or --sweep SWEEP.ron".into())),
+        };
+        for (index, vary) in self.vary.iter().enumerate() {
+            let (target, values) = split_assignment("--vary", vary)?;
+            if self.vary[..index].iter().any(|before| before.split_once('=').is_some_and(|(other, _)| other == target)) {
+                return Err(Failure::Usage(format!("--vary {target} is given twice; give all its values at once: {target}=a,b,c")));
+            }
+            description.vary.insert(target.to_owned(), split_values(vary, values)?);
+        }
+        for finest in &self.finest {
+            let (target, value) = split_assignment("--finest", finest)?;
+            description.finest.insert(target.to_owned(), value.to_owned());
+        }
+        if let Some(against) = &self.against {
+            description.against = Some(against.clone());
+        }
+        if let Some(output) = &self.output {
+            description.output = Some(output.clone());
+        }
+        description.each |= self.each;
+        Ok(description)
+    }
+}
+
+/// Where paths on the command line begin.
+fn here() -> PathBuf {
+    std::env::current_dir().unwrap_or_else(|_| Path::new(".").to_owned())
+}
