@@ -14,7 +14,7 @@ use crate::{Detail, GpuCoat, Options, RenderError, View, Viewpoint, schedule};
 
 /// One coat at many places at once: a draw for each run of places with the same level of detail, in place of a view, its buffers and its draws for each.
 /// It is for coats small on the screen. They have no fins, no shadow map, levels of detail that change at once ([`Detail::Whole`]), and all faces are
-/// submitted; places out of view are left out. What comes near is better off with a [`PreparedView`] of its own.
+/// submitted; places out of view are left out. What comes near is better off with a [`crate::PreparedView`] of its own.
 #[derive(Debug)]
 pub struct Crowd {
     coat: GpuCoat,
