@@ -48,7 +48,7 @@ const FIGURES: &[Figure] = &[
     },
     Figure {
         what: "how far what is drawn is from the hair itself, by layers, resolution and lighting",
-        cargo: "run --release -p pelage-tests --example truth",
+        cargo: "run --release -p pelage-tests --example truth -- 8",
     },
     Figure { what: "the graph engine: parsing, checking, running, saving", cargo: "bench -p pelage-graph --bench graph" },
 ];
