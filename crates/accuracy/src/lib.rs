@@ -75,4 +75,4 @@ pub use picture::{difference_picture, heat_picture};
 pub use plot::Panel;
 pub use rmse::{linear_light, rmse_linear};
 pub use silhouette::{ProfileBin, Silhouette, silhouette};
-pub use sweep::{Column, Row, Sweep};
+pub use sweep::{Column, Group, Row, Sweep};

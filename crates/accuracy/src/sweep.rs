@@ -55,6 +55,17 @@ pub struct Sweep {
     pub rows: Vec<Row>,
     /// Pairs of names of columns, cost and error, whose fronts are of interest: each is one more column, `front_COST`, of 1 for what is on it and 0 for the others.
     pub fronts: Vec<(String, String)>,
+    /// Names out of `varied` by which the rows fall into groups, as by the model that is drawn: only rows of one group compete. None: all do.
+    pub grouped_by: Vec<String>,
+}
+
+/// Rows that compete with one another.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Group {
+    /// Its values of what the rows are grouped by, with commas between; empty where all rows are one group.
+    pub name: String,
+    /// Its rows, in their order.
+    pub rows: Vec<usize>,
 }
 
 impl Sweep {
@@ -70,12 +81,36 @@ impl Sweep {
         })
     }
 
-    /// That every row has a value for each column, and that there is each column that a front is asked of.
+    /// Which of the inputs that vary this is.
+    ///
+    /// # Errors
+    ///
+    /// [`NoSuchColumn`](AccuracyError::NoSuchColumn).
+    pub fn varied_index(&self, name: &str) -> Result<usize, AccuracyError> {
+        let found = self.varied.iter().position(|varied| varied == name);
+        found.ok_or_else(|| AccuracyError::NoSuchColumn { name: name.to_owned(), known: self.varied.join(", ") })
+    }
+
+    /// The rows that have the same values of some of the inputs that vary, in the order in which the first of each comes.
     ///
     /// # Errors
     ///
     /// [`RowLength`](AccuracyError::RowLength), [`NoSuchColumn`](AccuracyError::NoSuchColumn).
-    pub fn check(&self) -> Result<(), AccuracyError> {
+    pub fn groups(&self, by: &[String]) -> Result<Vec<Group>, AccuracyError> {
+        self.check_rows()?;
+        let picks = by.iter().map(|name| self.varied_index(name)).collect::<Result<Vec<usize>, _>>()?;
+        let mut groups: Vec<Group> = Vec::new();
+        for (index, row) in self.rows.iter().enumerate() {
+            let name = picks.iter().map(|&pick| row.settings[pick].as_str()).collect::<Vec<_>>().join(", ");
+            match groups.iter_mut().find(|group| group.name == name) {
+                Some(group) => group.rows.push(index),
+                None => groups.push(Group { name, rows: vec![index] }),
+            }
+        }
+        Ok(groups)
+    }
+
+    fn check_rows(&self) -> Result<(), AccuracyError> {
         for (index, row) in self.rows.iter().enumerate() {
             for (found, expected) in [(row.settings.len(), self.varied.len()), (row.values.len(), self.columns.len())] {
                 if found != expected {
@@ -83,6 +118,17 @@ impl Sweep {
                 }
             }
         }
+        Ok(())
+    }
+
+    /// That every row has a value for each column, and that there is each column that a front is asked of, and each input that rows are grouped by.
+    ///
+    /// # Errors
+    ///
+    /// [`RowLength`](AccuracyError::RowLength), [`NoSuchColumn`](AccuracyError::NoSuchColumn).
+    pub fn check(&self) -> Result<(), AccuracyError> {
+        self.check_rows()?;
+        self.grouped_by.iter().try_for_each(|name| self.varied_index(name).map(|_| ()))?;
         self.fronts.iter().try_for_each(|(cost, error)| self.column(cost).and(self.column(error)).map(|_| ()))
     }
 
@@ -97,13 +143,18 @@ impl Sweep {
         Ok(self.rows.iter().map(|row| (row.values[cost], row.values[error])).collect())
     }
 
-    /// The rows that no other beats, by rising cost: see [`pareto_front`].
+    /// The rows that no other of their group beats, group by group, by rising cost: see [`pareto_front`].
     ///
     /// # Errors
     ///
     /// Those of [`check`](Self::check).
     pub fn front(&self, cost: &str, error: &str) -> Result<Vec<usize>, AccuracyError> {
-        Ok(pareto_front(&self.points(cost, error)?))
+        let points = self.points(cost, error)?;
+        let of_group = |group: Group| {
+            let own: Vec<(f64, f64)> = group.rows.iter().map(|&row| points[row]).collect();
+            pareto_front(&own).into_iter().map(|index| group.rows[index]).collect::<Vec<usize>>()
+        };
+        Ok(self.groups(&self.grouped_by)?.into_iter().flat_map(of_group).collect())
     }
 
     /// As CSV (RFC 4180, but lines end with a line feed alone): a line of names, and one for each row.
@@ -124,7 +175,7 @@ impl Sweep {
         Ok(csv)
     }
 
-    /// As JSON: `{ "varied": […], "columns": { NAME: UNIT … }, "fronts": { COST: { "error", "rows" } … }, "rows": [ { "settings": { INPUT: VALUE … }, NAME: NUMBER … } … ] }`.
+    /// As JSON: `{ "varied": […], "grouped_by": […], "columns": { NAME: UNIT … }, "fronts": { COST: { "error", "rows" } … }, "rows": [ { "settings": { INPUT: VALUE … }, NAME: NUMBER … } … ] }`.
     ///
     /// # Errors
     ///
@@ -142,7 +193,7 @@ impl Sweep {
             Value::Object(object)
         };
         self.check()?;
-        Ok(json!({ "varied": self.varied, "columns": columns, "fronts": fronts, "rows": self.rows.iter().map(row).collect::<Vec<_>>() }))
+        Ok(json!({ "varied": self.varied, "grouped_by": self.grouped_by, "columns": columns, "fronts": fronts, "rows": self.rows.iter().map(row).collect::<Vec<_>>() }))
     }
 
     /// The name of each column of fronts, and the rows on it.
@@ -175,7 +226,22 @@ pub(crate) mod tests {
             columns: vec![Column::new("fragments", "samples", 0), Column::new("flip_mean", "0 to 1", 3)],
             rows: vec![row("4", 100.0, 0.5), row("8", 300.0, 0.125), row("16", 400.0, 0.25), row("32", 800.0, f64::NAN)],
             fronts: vec![("fragments".into(), "flip_mean".into())],
+            grouped_by: Vec::new(),
         }
+    }
+
+    #[test]
+    fn rows_compete_within_their_group() {
+        let mut grouped = sweep();
+        grouped.rows[2].settings[1] = "Pixels".into();
+        assert_eq!(grouped.front("fragments", "flip_mean").unwrap(), [0, 1]);
+        grouped.grouped_by = vec!["picture.lighting".into()];
+        assert_eq!(grouped.front("fragments", "flip_mean").unwrap(), [0, 1, 2]);
+        let groups = grouped.groups(&grouped.grouped_by).unwrap();
+        assert_eq!(groups.iter().map(|group| group.rows.clone()).collect::<Vec<_>>(), [vec![0, 1, 3], vec![2]]);
+        assert_eq!(groups[1].name, "Pixels");
+        grouped.grouped_by = vec!["model".into()];
+        assert!(matches!(grouped.to_csv(), Err(AccuracyError::NoSuchColumn { .. })));
     }
 
     #[test]

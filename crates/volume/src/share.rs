@@ -30,6 +30,14 @@ impl ShellStack {
         let drawn: Vec<Shell> = [*skin].into_iter().chain(shared(hair, &heights[1..])).collect();
         Ok(Self { levels: vec![drawn], ..self.clone() }.finest())
     }
+
+    /// The same shells, each showing its image whole, as programs without an opacity rule draw them: hair gets denser with the number of shells. What
+    /// [`shared`](Self::shared) is measured against.
+    #[must_use]
+    pub fn repeated(mut self) -> Self {
+        self.levels.iter_mut().flatten().for_each(|shell| shell.layers = 1.0);
+        self
+    }
 }
 
 /// The shells above the skin.

@@ -117,6 +117,9 @@ fn nothing_is_corrected_twice() {
     let shared = ten.shared(30, Spacing::Even).unwrap();
     let passes = |stack: &ShellStack| stack.transmittance(0, [0.0, 0.0]).unwrap();
     assert!((passes(&shared) - passes(&ten)).abs() < 1e-6);
+    // Each image shown whole three times passes the third power.
+    let (repeated, one) = (passes(&shared.clone().repeated()), passes(&ten));
+    assert!(repeated < 0.5 * one && repeated >= one.powi(3), "{repeated} {one}");
     // The strands' own answer for 30 layers is near, without a correction; a third of a layer each would pass 0.64.
     assert!((passes(&thirty) - passes(&ten)).abs() < 0.12, "{} {}", passes(&thirty), passes(&ten));
     let twice = stack(9, |_, _| 60).shared(33, Spacing::Even).unwrap().shared(12, Spacing::Even).unwrap();

@@ -2,7 +2,7 @@
 //!
 //! - `demo` renders the furry bunny and says where the picture is.
 //! - `verify` runs every check and test, each with the reason it exists, and stops at the first failure.
-//! - `book` builds the book; `book pictures` draws its pictures anew.
+//! - `book` builds the book; `book pictures` draws its pictures anew, `book sweeps` measures what its accuracy chapter shows.
 //! - `vulkan` only makes sure that there is something to draw with, as `demo` and `verify` do first.
 //!
 //! `verify` and `book` are behind the feature `checks`, so that a newcomer's `cargo demo` compiles an argument parser and nothing
@@ -64,6 +64,9 @@ enum Chore {
         /// What else to make.
         #[arg(value_enum)]
         what: Option<book::What>,
+        /// Which sweeps to measure, by their names in graphs/sweeps; all without.
+        #[arg(value_name = "SWEEP")]
+        sweeps: Vec<String>,
     },
 }
 
@@ -85,7 +88,7 @@ fn run(chore: Chore) -> Result<()> {
         #[cfg(feature = "checks")]
         Chore::Verify { steps } => verify::run(&place, &steps),
         #[cfg(feature = "checks")]
-        Chore::Book { what } => book::run(&place, what),
+        Chore::Book { what, sweeps } => book::run(&place, what, &sweeps),
     }
 }
 

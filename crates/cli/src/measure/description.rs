@@ -25,10 +25,17 @@ pub(crate) struct Description {
     /// Times that each frame is timed.
     pub(crate) rounds: Option<u32>,
     pub(crate) set: IndexMap<String, String>,
+    /// What is measured anew in: axes of named cases, each what it sets. Every combination of one of each axis is a case.
+    pub(crate) cases: Vec<Axis>,
     pub(crate) vary: IndexMap<String, Vec<String>>,
+    /// Those inputs that vary by which settings are told apart, so that only those alike in them compete.
+    pub(crate) groups: Vec<String>,
     /// Where paths in its values begin.
     pub(crate) directory: PathBuf,
 }
+
+/// Cases by name, and what each sets.
+pub(crate) type Axis = IndexMap<String, IndexMap<String, String>>;
 
 /// The file: `Sweep(graph: …, vary: { "node.input": [ … ] … })`.
 #[derive(Deserialize)]
@@ -49,7 +56,11 @@ struct Saved {
     rounds: Option<u32>,
     #[serde(default)]
     set: IndexMap<String, Box<RawValue>>,
+    #[serde(default)]
+    cases: Vec<IndexMap<String, IndexMap<String, Box<RawValue>>>>,
     vary: IndexMap<String, Vec<Box<RawValue>>>,
+    #[serde(default)]
+    groups: Vec<String>,
 }
 
 #[derive(Default, Deserialize)]
@@ -72,7 +83,9 @@ impl Description {
             each: false,
             rounds: None,
             set: IndexMap::new(),
+            cases: Vec::new(),
             vary: IndexMap::new(),
+            groups: Vec::new(),
             directory: here(),
         }
     }
@@ -87,7 +100,9 @@ impl Description {
         })?;
         let directory = path.parent().unwrap_or(Path::new("")).to_owned();
         let text = |raw: &RawValue| raw.trim().get_ron().to_owned();
-        let texts = |map: IndexMap<String, Box<RawValue>>| map.into_iter().map(|(target, raw)| (target, text(&raw))).collect();
+        let texts = |map: IndexMap<String, Box<RawValue>>| -> IndexMap<String, String> {
+            map.into_iter().map(|(target, raw)| (target, text(&raw))).collect()
+        };
         Ok(Self {
             title: if saved.title.is_empty() { Self::of_graph(path).title } else { saved.title },
             graph: directory.join(saved.graph),
@@ -100,6 +115,8 @@ impl Description {
             each: saved.each,
             rounds: saved.rounds,
             set: texts(saved.set),
+            cases: saved.cases.into_iter().map(|axis| axis.into_iter().map(|(name, sets)| (name, texts(sets))).collect()).collect(),
+            groups: saved.groups,
             vary: saved.vary.into_iter().map(|(target, values)| (target, values.iter().map(|raw| text(raw)).collect())).collect(),
             directory,
         })

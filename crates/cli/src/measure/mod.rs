@@ -41,6 +41,9 @@ pub(crate) struct Measure {
     /// Make what is measured against anew for each setting, with only --finest changed: for inputs that change the true picture, as a camera's.
     #[arg(long)]
     each: bool,
+    /// An input that varies by which settings are told apart, as a camera's: only those alike in it compete and are timed in turn. Repeatable.
+    #[arg(long, value_name = "NODE.INPUT")]
+    group: Vec<String>,
     /// Which output to measure, when there are several: one of a RenderImage node.
     #[arg(long, value_name = "NODE.PORT")]
     output: Option<String>,
@@ -111,6 +114,7 @@ impl Measure {
             description.output = Some(output.clone());
         }
         description.each |= self.each;
+        description.groups.extend(self.group.iter().filter(|group| !description.groups.contains(group)).cloned().collect::<Vec<_>>());
         Ok(description)
     }
 }

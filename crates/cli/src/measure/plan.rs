@@ -2,6 +2,7 @@
 
 use std::path::Path;
 
+use indexmap::IndexMap;
 use pelage_graph::{CheckedGraph, Graph, Registry};
 use pelage_nodes::fur_of;
 
@@ -13,6 +14,9 @@ use crate::render::{makes_pictures, node_of};
 /// The most settings in one sweep.
 const MOST_SETTINGS: usize = 1000;
 
+/// The name of the column of cases.
+const CASE: &str = "case";
+
 /// What is evaluated, in order.
 pub(crate) struct Plan {
     /// The node whose pictures are measured.
@@ -21,23 +25,25 @@ pub(crate) struct Plan {
     pub(crate) output: String,
     /// What is measured against.
     pub(crate) against: String,
-    /// The inputs that vary.
+    /// The inputs that vary, `case` before them if there are cases.
     pub(crate) varied: Vec<String>,
+    /// Those of them that tell the settings apart which do not compete.
+    pub(crate) grouped_by: Vec<String>,
     /// Each combination of values.
     pub(crate) settings: Vec<Setting>,
-    /// What makes the picture that all are measured against; none if each setting has its own.
-    pub(crate) finest: Option<CheckedGraph>,
+    /// What makes the pictures that are measured against.
+    pub(crate) references: Vec<CheckedGraph>,
 }
 
 /// One combination.
 pub(crate) struct Setting {
-    /// A value for each input that varies.
+    /// The case, if there are cases, and a value for each input that varies.
     pub(crate) values: Vec<String>,
     pub(crate) graph: CheckedGraph,
     /// The output of the coat that is drawn.
     pub(crate) fur: String,
-    /// What makes the picture that it is measured against, where that is its own.
-    pub(crate) finest: Option<CheckedGraph>,
+    /// Which of the references it is measured against.
+    pub(crate) reference: usize,
 }
 
 /// Sets inputs of a graph, and checks it.
@@ -78,30 +84,69 @@ impl Plan {
         }
         let mut graph = overrides.apply(graph, &sweep.graph, &registry)?;
         setter.set(&mut graph, &format!("{picture}.repeat"), "0")?;
-        let varied: Vec<String> = sweep.vary.keys().cloned().collect();
-        let mut settings = Vec::new();
-        for values in values {
-            let mut graph = graph.clone();
-            for (target, value) in varied.iter().zip(&values) {
-                setter.set(&mut graph, target, value).map_err(in_vary)?;
-            }
-            let finest = if sweep.each { Some(finest(&setter, sweep, graph.clone())?) } else { None };
-            let checked = setter.check(&graph)?;
-            let fur = fur_of(&graph, &registry, &picture)
-                .ok_or_else(|| Failure::Input(format!("{}: {picture} draws no fur", sweep.graph.display())))?;
-            settings.push(Setting { values, graph: checked, fur, finest });
+        let cases = cases(sweep);
+        let case = if sweep.cases.is_empty() { None } else { Some(CASE.to_owned()) };
+        let varied: Vec<String> = case.iter().cloned().chain(sweep.vary.keys().cloned()).collect();
+        let grouped_by: Vec<String> = case.iter().cloned().chain(sweep.groups.iter().cloned()).collect();
+        if let Some(unknown) = sweep.groups.iter().find(|name| !sweep.vary.contains_key(*name)) {
+            return Err(Failure::Input(format!("{unknown} groups settings and does not vary; give --vary {unknown}=a,b,c, too")));
         }
-        let finest = if sweep.each { None } else { Some(finest_of_all(&setter, sweep, graph)?) };
-        let plan = Self { picture, output, against, varied, settings, finest };
+        let mut plan = Self { picture, output, against, varied, grouped_by, settings: Vec::new(), references: Vec::new() };
+        for (name, sets) in cases {
+            let mut graph = graph.clone();
+            for (target, value) in sets {
+                setter.set(&mut graph, target, value).map_err(|failure| prefixed(&format!("{name}: "), failure))?;
+            }
+            let case = case.as_ref().map(|_| name);
+            plan.add(&setter, sweep, &graph, case.as_ref(), &values)?;
+        }
         plan.check_against(sweep)?;
         Ok(plan)
     }
 
+    /// Adds every setting of a case, and what it is measured against.
+    fn add(
+        &mut self,
+        setter: &Setter<'_>,
+        sweep: &Description,
+        graph: &Graph,
+        case: Option<&String>,
+        values: &[Vec<String>],
+    ) -> Result<(), Failure> {
+        if !sweep.each {
+            self.references.push(finest_of_all(setter, sweep, graph.clone())?);
+        }
+        for values in values {
+            let mut graph = graph.clone();
+            for (target, value) in sweep.vary.keys().zip(values) {
+                setter.set(&mut graph, target, value).map_err(in_vary)?;
+            }
+            if sweep.each {
+                self.references.push(finest(setter, sweep, graph.clone())?);
+            }
+            let fur = fur_of(&graph, setter.registry, &self.picture)
+                .ok_or_else(|| Failure::Input(format!("{}: {} draws no fur", sweep.graph.display(), self.picture)))?;
+            let values = case.into_iter().chain(values).cloned().collect();
+            self.settings.push(Setting { values, graph: setter.check(&graph)?, fur, reference: self.references.len() - 1 });
+        }
+        Ok(())
+    }
+
+    /// The settings that compete, group by group.
+    pub(crate) fn groups(&self) -> Vec<Vec<usize>> {
+        let picks: Vec<usize> = self.grouped_by.iter().filter_map(|name| self.varied.iter().position(|varied| varied == name)).collect();
+        let key = |setting: &Setting| picks.iter().map(|&pick| setting.values[pick].clone()).collect::<Vec<String>>();
+        let mut groups: IndexMap<Vec<String>, Vec<usize>> = IndexMap::new();
+        for (index, setting) in self.settings.iter().enumerate() {
+            groups.entry(key(setting)).or_default().push(index);
+        }
+        groups.into_values().collect()
+    }
+
     /// That there is a picture to measure against.
     fn check_against(&self, sweep: &Description) -> Result<(), Failure> {
-        let finest = self.finest.iter().chain(self.settings.iter().filter_map(|setting| setting.finest.as_ref())).next();
         let pictures: Vec<String> =
-            finest.map(|graph| graph.outputs().filter(|(_, kind)| *kind == "Picture").map(|(port, _)| port).collect()).unwrap_or_default();
+            self.references.first().map(|graph| graph.outputs().filter(|(_, kind)| *kind == "Picture").map(|(port, _)| port).collect()).unwrap_or_default();
         if pictures.contains(&self.against) {
             return Ok(());
         }
@@ -111,10 +156,27 @@ impl Plan {
 }
 
 fn in_vary(failure: Failure) -> Failure {
+    prefixed("--vary ", failure)
+}
+
+fn prefixed(what: &str, failure: Failure) -> Failure {
     match failure {
-        Failure::Input(message) => Failure::Input(format!("--vary {message}")),
+        Failure::Input(message) => Failure::Input(format!("{what}{message}")),
         other => other,
     }
+}
+
+/// Every combination of one case of each axis: its name, and what it sets. One without a name if there are no axes.
+fn cases(sweep: &Description) -> Vec<(String, Vec<(&String, &String)>)> {
+    let mut all = vec![(String::new(), Vec::new())];
+    for axis in &sweep.cases {
+        let with = |(before, sets): &(String, Vec<_>)| -> Vec<(String, Vec<(_, _)>)> {
+            let named = |name: &String| if before.is_empty() { name.clone() } else { format!("{before}, {name}") };
+            axis.iter().map(|(name, more)| (named(name), sets.iter().copied().chain(more).collect())).collect()
+        };
+        all = all.iter().flat_map(with).collect();
+    }
+    all
 }
 
 /// The setting with what only the one measured against has set.
@@ -140,11 +202,15 @@ fn combinations(sweep: &Description) -> Result<Vec<Vec<String>>, Failure> {
     if sweep.vary.is_empty() {
         return Err(Failure::Usage("nothing varies; give --vary NODE.INPUT=a,b,c".into()));
     }
-    let count = sweep.vary.values().try_fold(1usize, |count, values| count.checked_mul(values.len())).unwrap_or(usize::MAX);
+    let axes = sweep.vary.values().map(Vec::len).chain(sweep.cases.iter().map(|axis| axis.len()));
+    let count = axes.into_iter().try_fold(1usize, usize::checked_mul).unwrap_or(usize::MAX);
     if count > MOST_SETTINGS {
         return Err(Failure::Usage(format!(
             "{count} combinations are more than the {MOST_SETTINGS} of one sweep; vary fewer inputs at a time"
         )));
+    }
+    if sweep.cases.iter().any(|axis| axis.is_empty()) {
+        return Err(Failure::Usage("an axis of cases has none; give { \"name\": { \"node.input\": value … } … }".into()));
     }
     if let Some((target, _)) = sweep.vary.iter().find(|(_, values)| values.is_empty()) {
         return Err(Failure::Usage(format!("{target} has no values; give NODE.INPUT=a,b,c")));

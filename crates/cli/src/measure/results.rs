@@ -49,17 +49,17 @@ pub(crate) struct Results {
 impl Results {
     pub(crate) fn new(description: &Description, plan: &Plan, measured: &Measured, rounds: u32) -> Self {
         let columns = MEASURES.iter().map(|(name, unit, digits, _)| Column::new(name, unit, *digits));
-        let times = [("ms_min", "ms"), ("ms_median", "ms"), ("ms_ratio", "of the last setting's, in the same round")];
+        let times = [("ms_min", "ms"), ("ms_median", "ms"), ("ms_ratio", "of the last setting's of the group, in the same round")];
         let columns = columns.chain(times.map(|(name, unit)| Column::new(name, unit, 3))).collect();
         let row = |(index, one): (usize, &MeasuredSetting)| {
-            let values = MEASURES.iter().map(|(_, _, _, value)| value(one)).chain(times_of(&measured.rounds, index)).collect();
+            let values = MEASURES.iter().map(|(_, _, _, value)| value(one)).chain(measured.times[index]).collect();
             Row { settings: plan.settings[index].values.clone(), values }
         };
         let rows = measured.settings.iter().enumerate().map(row).collect();
         let fronts = COSTS.iter().map(|&cost| (cost.to_owned(), ERROR.to_owned())).collect();
         let profile = |one: &MeasuredSetting| one.errors.profile.iter().map(|bin| json!([bin.distance, bin.reference, bin.test])).collect();
         Self {
-            sweep: Sweep { varied: plan.varied.clone(), columns, rows, fronts },
+            sweep: Sweep { varied: plan.varied.clone(), columns, rows, fronts, grouped_by: plan.grouped_by.clone() },
             title: description.title.clone(),
             about: about(description, plan, measured, rounds),
             profiles: measured.settings.iter().map(profile).collect(),
@@ -87,7 +87,10 @@ impl Results {
     /// All files at once into the folder.
     pub(crate) fn write(&self, folder: &Path, sheet: Vec<u8>) -> Result<(), Failure> {
         let failed = |error| Failure::input(&self.title, &error);
-        let panels = COSTS.map(|cost| Panel { cost: cost.into(), error: ERROR.into() });
+        let knob = self.sweep.varied.iter().rev().find(|name| !self.sweep.grouped_by.contains(name)).or(self.sweep.varied.last());
+        let over_knob = knob.map(|input| Panel::Knob { input: input.clone(), error: ERROR.into() });
+        let over_costs = COSTS.map(|cost| Panel::Cost { cost: cost.into(), error: ERROR.into() });
+        let panels: Vec<Panel> = over_knob.into_iter().chain(over_costs).collect();
         let svg = self.sweep.to_svg(&self.title, &panels).map_err(failed)?;
         let files = [
             ("sweep.csv", self.sweep.to_csv().map_err(failed)?.into_bytes()),
@@ -118,6 +121,7 @@ fn about(description: &Description, plan: &Plan, measured: &Measured, rounds: u3
     let mut about = json!({
         "pelage": env!("CARGO_PKG_VERSION"), "title": description.title, "graph": description.graph.display().to_string(),
         "output": plan.output, "against": plan.against, "finest": description.finest, "each": description.each, "set": description.set,
+        "cases": description.cases,
         "rounds": rounds,
     });
     if let Some(one) = measured.settings.first() {
@@ -127,29 +131,4 @@ fn about(description: &Description, plan: &Plan, measured: &Measured, rounds: u3
         (about["width"], about["height"]) = (report.size.0.into(), report.size.1.into());
     }
     about
-}
-
-/// The least and the median of a setting's times, and the median of their ratios to the last setting's.
-fn times_of(rounds: &[Vec<f64>], index: usize) -> [f64; 3] {
-    let mut times: Vec<f64> = rounds.iter().map(|round| round[index]).collect();
-    let mut ratios: Vec<f64> = rounds.iter().map(|round| round[index] / round[round.len() - 1]).collect();
-    let median = |numbers: &mut [f64]| {
-        numbers.sort_by(f64::total_cmp);
-        numbers.get(numbers.len() / 2).copied().unwrap_or(f64::NAN)
-    };
-    let (middle, ratio) = (median(&mut times), median(&mut ratios));
-    [times.first().copied().unwrap_or(f64::NAN), middle, ratio]
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn a_ratio_is_taken_within_a_round() {
-        // The machine was ten times as slow in the second round.
-        let rounds = [vec![2.0, 4.0], vec![20.0, 40.0], vec![3.0, 4.0]];
-        assert_eq!(times_of(&rounds, 0), [2.0, 3.0, 0.5]);
-        assert_eq!(times_of(&rounds, 1), [4.0, 4.0, 1.0]);
-    }
 }

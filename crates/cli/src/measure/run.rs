@@ -23,8 +23,8 @@ pub(crate) struct How {
 /// All there is to know.
 pub(crate) struct Measured {
     pub(crate) settings: Vec<MeasuredSetting>,
-    /// Milliseconds: rounds of all settings.
-    pub(crate) rounds: Vec<Vec<f64>>,
+    /// The least and the median of each setting's times in milliseconds, and the median of its ratios to the last of its group.
+    pub(crate) times: Vec<[f64; 3]>,
     /// Whether all were measured against one picture.
     pub(crate) one_reference: bool,
 }
@@ -43,28 +43,52 @@ pub(crate) fn measure(plan: &Plan, how: &How) -> Result<Measured, Failure> {
         evaluator = evaluator.threads(threads.into());
     }
     let mut engine = Engine { evaluator, how, total: plan.settings.len() };
-    let truth = |engine: &mut Engine<'_>, graph: &CheckedGraph| -> Result<Arc<Picture>, Failure> {
-        Ok(engine.run(graph, Request::output(&plan.against), "what is measured against")?.get::<Picture>(&plan.against)?)
-    };
-    let shared = plan.finest.as_ref().map(|graph| truth(&mut engine, graph)).transpose()?;
+    let mut references: Vec<Option<Arc<Picture>>> = vec![None; plan.references.len()];
     let mut drawn = Vec::new();
     for (index, setting) in plan.settings.iter().enumerate() {
-        let own = setting.finest.as_ref().map(|graph| truth(&mut engine, graph)).transpose()?;
-        let reference = own.or_else(|| shared.clone());
-        let reference = reference.ok_or_else(|| Failure::Input(format!("{}: nothing to measure against", plan.output)))?;
+        let reference = match &references[setting.reference] {
+            Some(made) => made.clone(),
+            None => engine.reference(plan, setting.reference)?,
+        };
+        references[setting.reference] = Some(reference.clone());
         let (picture, contender) = engine.draw(plan, index, setting)?;
         drawn.push((picture, reference, contender));
     }
     let contenders: Vec<Contender> = drawn.iter().map(|(_, _, contender)| contender.clone()).collect();
-    let gpu = Gpu::new().map_err(|error| Failure::Input(error.to_string()))?;
-    let rounds = time_in_turn(&gpu, &contenders, how.rounds).map_err(|error| Failure::input("timing", &error))?;
+    let times = times(plan, &contenders, how.rounds)?;
     let measured = |(index, (picture, reference, contender)): (usize, (Arc<Picture>, Arc<Picture>, Contender))| {
         let about = || plan.settings[index].values.join(", ");
         let errors = Errors::of(&reference, &picture).map_err(|error| Failure::input(about(), &error))?;
         Ok(MeasuredSetting { picture, reference, contender, errors })
     };
     let settings = drawn.into_par_iter().enumerate().map(measured).collect::<Result<Vec<_>, Failure>>()?;
-    Ok(Measured { settings, rounds, one_reference: shared.is_some() })
+    Ok(Measured { settings, times, one_reference: plan.references.len() == 1 })
+}
+
+/// Times of all settings, those of a group in turn; only a group's coats are on the device at once.
+fn times(plan: &Plan, contenders: &[Contender], rounds: u32) -> Result<Vec<[f64; 3]>, Failure> {
+    let gpu = Gpu::new().map_err(|error| Failure::Input(error.to_string()))?;
+    let mut times = vec![[f64::NAN; 3]; contenders.len()];
+    for group in plan.groups() {
+        let own: Vec<Contender> = group.iter().map(|&index| contenders[index].clone()).collect();
+        let rounds = time_in_turn(&gpu, &own, rounds).map_err(|error| Failure::input("timing", &error))?;
+        for (place, &index) in group.iter().enumerate() {
+            times[index] = times_of(&rounds, place);
+        }
+    }
+    Ok(times)
+}
+
+/// The least and the median of a setting's times, and the median of their ratios to the last setting's.
+fn times_of(rounds: &[Vec<f64>], index: usize) -> [f64; 3] {
+    let mut times: Vec<f64> = rounds.iter().map(|round| round[index]).collect();
+    let mut ratios: Vec<f64> = rounds.iter().map(|round| round[index] / round[round.len() - 1]).collect();
+    let median = |numbers: &mut [f64]| {
+        numbers.sort_by(f64::total_cmp);
+        numbers.get(numbers.len() / 2).copied().unwrap_or(f64::NAN)
+    };
+    let (middle, ratio) = (median(&mut times), median(&mut ratios));
+    [times.first().copied().unwrap_or(f64::NAN), middle, ratio]
 }
 
 /// What evaluates.
@@ -75,6 +99,15 @@ struct Engine<'a> {
 }
 
 impl Engine<'_> {
+    /// What settings are measured against. An equal one that was made before is in the cache.
+    fn reference(&mut self, plan: &Plan, index: usize) -> Result<Arc<Picture>, Failure> {
+        let title = match plan.references.len() {
+            1 => "what is measured against".to_owned(),
+            count => format!("what is measured against, {} of {count}", index + 1),
+        };
+        Ok(self.run(&plan.references[index], Request::output(&plan.against), &title)?.get::<Picture>(&plan.against)?)
+    }
+
     fn draw(&mut self, plan: &Plan, index: usize, setting: &Setting) -> Result<(Arc<Picture>, Contender), Failure> {
         let frame = format!("{}.frame", plan.picture);
         let request = Request::output(&plan.output).and_output(&frame).and_output(&setting.fur);
@@ -91,5 +124,18 @@ impl Engine<'_> {
         let evaluation = evaluation?;
         progress.finish(&evaluation);
         Ok(evaluation)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_ratio_is_taken_within_a_round() {
+        // The machine was ten times as slow in the second round.
+        let rounds = [vec![2.0, 4.0], vec![20.0, 40.0], vec![3.0, 4.0]];
+        assert_eq!(times_of(&rounds, 0), [2.0, 3.0, 0.5]);
+        assert_eq!(times_of(&rounds, 1), [4.0, 4.0, 1.0]);
     }
 }

@@ -25,7 +25,7 @@ impl Evaluate for LevelsOfDetail {
     }
 }
 
-/// The same images shown by another number of shells (K5), at other heights (K4); hair stays as dense as it was.
+/// The same images shown by another number of shells (K5), at other heights (K4).
 #[derive(Node)]
 #[node(category = "Hair", version = 1)]
 #[output(shells: ShellTexture, "The shells, and those images that one of them shows. One level of detail.")]
@@ -39,11 +39,15 @@ pub struct ShareImages {
     /// Where they stand.
     #[param(default = ShellSpacing::Even)]
     pub spacing: ShellSpacing,
+    /// Whether hair stays as dense as it was, by shells that are the more transparent the more of them show an image. Without, each shows it whole.
+    #[param(default = true)]
+    pub keep_density: bool,
 }
 
 impl Evaluate for ShareImages {
     fn evaluate(&self, _: &mut Context<'_>) -> Result<Self::Outputs, NodeError> {
-        Ok(shell_texture(shell_stack(&self.shells)?.shared(self.count, Spacing::from(&self.spacing))?).into())
+        let shared = shell_stack(&self.shells)?.shared(self.count, Spacing::from(&self.spacing))?;
+        Ok(shell_texture(if self.keep_density { shared } else { shared.repeated() }).into())
     }
 }
 

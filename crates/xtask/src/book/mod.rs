@@ -6,6 +6,8 @@ mod nodes;
 mod pages;
 mod pictures;
 mod plot;
+mod sweeps;
+mod tables;
 
 use clap::ValueEnum;
 use mdbook_driver::MDBook;
@@ -20,17 +22,20 @@ pub(crate) enum What {
     Pictures,
     /// Draw its plots alone anew, from the figures that benchmarks wrote.
     Plots,
+    /// Measure the saved sweeps anew, all or those named after it: their figures, plots, contact sheets and tables.
+    Sweeps,
 }
 
-/// Makes the node reference anew, the pictures if they are asked for, and builds the book into `book/book`.
-pub(crate) fn run(place: &Place, what: Option<What>) -> Result<()> {
+/// Makes the node reference and the tables of figures anew, what is asked for besides, and builds the book into `book/book`.
+pub(crate) fn run(place: &Place, what: Option<What>, sweeps: &[String]) -> Result<()> {
     nodes::write(place)?;
-    if what == Some(What::Pictures) {
-        pictures::draw(place)?;
+    match what {
+        Some(What::Pictures) => pictures::draw(place).and_then(|()| plot::draw(place))?,
+        Some(What::Plots) => plot::draw(place)?,
+        Some(What::Sweeps) => sweeps::measure(place, sweeps)?,
+        None => {}
     }
-    if what.is_some() {
-        plot::draw(place)?;
-    }
+    tables::write(place)?;
     check_sources(place)?;
     build(place)?;
     println!("the book: {}", place.at("book/book/index.html").display());
@@ -49,6 +54,8 @@ fn check_sources(place: &Place) -> Result<()> {
     let mut faults = pages::faults(&place.at("book/src"))?;
     faults.extend(pictures::faults(place)?);
     faults.extend(plot::faults(place)?);
+    faults.extend(sweeps::faults(place)?);
+    faults.extend(tables::faults(place)?);
     faults.extend(links::faults(place)?);
     if faults.is_empty() { Ok(()) } else { Err(Failure::faults("the book does not hold together", &faults)) }
 }

@@ -91,18 +91,7 @@ const PICTURES: &[Picture] = &[
 /// Pictures that no graph makes: the file, and the example that draws it, which takes the file's path.
 const EXAMPLES: &[(&str, [&str; 4])] = &[("submitted.png", ["--package", "pelage-tests", "--example", "submitted"])];
 
-/// Sweeps of which a page shows the plot and the contact sheet, `sweep-NAME.svg` and `.png`: each a file of `graphs/sweeps`. Their figures go to `book/src/measured/sweep-NAME.csv`.
-const SWEEPS: &[Measured] = &[Measured { name: "shells", plot: "sweep-shells.svg", sheet: "sweep-shells.png" }];
-
-/// A sweep of the book.
-struct Measured {
-    name: &'static str,
-    plot: &'static str,
-    sheet: &'static str,
-}
-
 const FOLDER: &str = "book/src/pictures";
-const FIGURES: &str = "book/src/measured";
 
 /// Draws every picture anew, with the release build of the program.
 pub(crate) fn draw(place: &Place) -> Result<()> {
@@ -113,28 +102,11 @@ pub(crate) fn draw(place: &Place) -> Result<()> {
         println!("{FOLDER}/{}", picture.file);
         command(place, picture).run()
     })?;
-    SWEEPS.iter().try_for_each(|sweep| measure(place, sweep))?;
     EXAMPLES.iter().try_for_each(|(file, example)| {
         println!("{FOLDER}/{file}");
         let line = CommandLine::cargo().with(["run", "--quiet", "--release"]).with(*example).with(["--"]);
         line.with([place.at(FOLDER).join(file)]).within(place.root()).run()
     })
-}
-
-/// Runs a sweep, and takes from it what the book shows.
-fn measure(place: &Place, sweep: &Measured) -> Result<()> {
-    println!("{FOLDER}/{}", sweep.plot);
-    let out = place.at("target/book-sweeps").join(sweep.name);
-    CommandLine::cargo()
-        .with(["run", "--quiet", "--release", "--package", "pelage-cli", "--", "measure", "--quiet", "--sweep"])
-        .with([place.at("graphs/sweeps").join(format!("{}.ron", sweep.name))])
-        .with(["-o".into(), out.clone()])
-        .within(place.root())
-        .run()?;
-    let figures = place.at(FIGURES).join(format!("sweep-{}.csv", sweep.name));
-    let shown =
-        [("sweep.svg", place.at(FOLDER).join(sweep.plot)), ("sheet.png", place.at(FOLDER).join(sweep.sheet)), ("sweep.csv", figures)];
-    shown.iter().try_for_each(|(file, to)| fs::copy(out.join(file), to).map(drop).map_err(|cause| Failure::caused(to.display(), cause)))
 }
 
 fn command(place: &Place, picture: &Picture) -> CommandLine {
@@ -160,11 +132,7 @@ pub(crate) fn faults(place: &Place) -> Result<Vec<String>> {
 }
 
 fn files() -> impl Iterator<Item = &'static str> {
-    PICTURES
-        .iter()
-        .map(|picture| picture.file)
-        .chain(EXAMPLES.iter().map(|(file, _)| *file))
-        .chain(SWEEPS.iter().flat_map(|sweep| [sweep.plot, sweep.sheet]))
+    PICTURES.iter().map(|picture| picture.file).chain(EXAMPLES.iter().map(|(file, _)| *file))
 }
 
 fn missing(exists: impl Fn(&str) -> bool) -> Vec<String> {
