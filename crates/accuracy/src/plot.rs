@@ -177,9 +177,7 @@ fn draw_fronts(area: &Area<'_, '_>, axes: &Axes, groups: &[Series], labels: &[((
         }
         chart.draw_series(front.iter().map(|&point| Circle::new(point, 4, colour.filled())))?;
     }
-    let text = |(point, label): &((f64, f64), String)| {
-        EmptyElement::at(*point) + Text::new(label.clone(), (6, -12), ("sans-serif", 11))
-    };
+    let text = |(point, label): &((f64, f64), String)| EmptyElement::at(*point) + Text::new(label.clone(), (6, -12), ("sans-serif", 11));
     chart.draw_series(labels.iter().map(text))?;
     legend(&mut chart, groups.len())
 }

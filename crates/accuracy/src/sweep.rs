@@ -193,7 +193,9 @@ impl Sweep {
             Value::Object(object)
         };
         self.check()?;
-        Ok(json!({ "varied": self.varied, "grouped_by": self.grouped_by, "columns": columns, "fronts": fronts, "rows": self.rows.iter().map(row).collect::<Vec<_>>() }))
+        Ok(
+            json!({ "varied": self.varied, "grouped_by": self.grouped_by, "columns": columns, "fronts": fronts, "rows": self.rows.iter().map(row).collect::<Vec<_>>() }),
+        )
     }
 
     /// The name of each column of fronts, and the rows on it.

@@ -193,13 +193,60 @@ fn each_setting_may_have_a_truth_of_its_own() {
 }
 
 #[test]
+fn each_case_has_a_truth_of_its_own_and_competes_with_itself() {
+    let folder = folder();
+    let sweep = r#"Sweep(title: "cases", graph: "fur.ron", against: Output("truth.image"), rounds: 2, finest: { "truth.samples": 16 }, set: { "picture.samples": 1 },
+        cases: { "model": { "ball": {}, "turned": { "camera.azimuth": 90.0 } }, "hair": { "short": { "coat.length": 0.03 }, "long": {} } },
+        vary: { "shells.layers": [8, 2] })"#;
+    std::fs::write(folder.path().join("cases.ron"), sweep).unwrap();
+    let (code, _, error) = measure(folder.path(), &["--sweep", "cases.ron", "-q", "-o", "out"]);
+    assert_eq!(code, 0, "{error}");
+    let table = table(folder.path(), "out/sweep.json");
+    assert_eq!(table["varied"], serde_json::json!(["model", "hair", "shells.layers"]));
+    assert_eq!(table["grouped_by"], serde_json::json!(["model", "hair"]));
+    let name = |row: usize| ["model", "hair", "shells.layers"].map(|key| table["rows"][row]["settings"][key].as_str().unwrap().to_owned());
+    assert_eq!((name(0), name(3)), (["ball", "short", "8"].map(str::to_owned), ["ball", "long", "2"].map(str::to_owned)));
+    // Within each case more shells cost more and err less: both are on its front, the cheaper first, whatever other cases cost.
+    assert_eq!(table["fronts"]["fragments"]["rows"], serde_json::json!([1, 0, 3, 2, 5, 4, 7, 6]));
+    // The last of each case is what its others' times are over.
+    let ratios = column(&table, "ms_ratio");
+    assert!([1, 3, 5, 7].iter().all(|&row| ratios[row] == 1.0), "{ratios:?}");
+    // Alone, a case measures the same.
+    let alone = [
+        "fur.ron",
+        "--against",
+        "truth.image",
+        "--finest",
+        "truth.samples=16",
+        "--set",
+        "picture.samples=1",
+        "--set",
+        "camera.azimuth=90.0",
+    ];
+    let (code, _, error) =
+        measure(folder.path(), &[&alone[..], &["--vary", "shells.layers=8,2", "--rounds", "1", "-q", "-o", "alone"]].concat());
+    assert_eq!(code, 0, "{error}");
+    let all = column(&table, "flip_mean");
+    assert_eq!(column(&self::table(folder.path(), "alone/sweep.json"), "flip_mean"), all[6..]);
+}
+
+#[test]
 fn what_cannot_be_measured_is_said_and_nothing_written() {
     let folder = folder();
     std::fs::write(folder.path().join("file"), "as before").unwrap();
     std::fs::write(folder.path().join("wrong.ron"), "Sweep(graph: \"fur.ron\",\n  vry: {})").unwrap();
     std::fs::write(folder.path().join("empty.ron"), "Sweep(graph: \"fur.ron\", vary: { \"shells.layers\": [] })").unwrap();
+    std::fs::write(folder.path().join("caseless.ron"), "Sweep(graph: \"fur.ron\", cases: { \"model\": {} })").unwrap();
+    std::fs::write(
+        folder.path().join("case.ron"),
+        "Sweep(graph: \"fur.ron\", cases: { \"model\": { \"a\": {}, \"b\": { \"coat.size\": 1 } } })",
+    )
+    .unwrap();
     for (arguments, code, expected) in [
-        (&["fur.ron", "--vary", "shels.layers=1,2"][..], 1, "did you mean shells"),
+        (&["--sweep", "caseless.ron"][..], 2, "model has no cases"),
+        (&["--sweep", "case.ron"], 1, "b: "),
+        (&["fur.ron", "--vary", "shells.layers=1,2", "--group", "picture.fins"], 1, "picture.fins groups settings and does not vary"),
+        (&["fur.ron", "--vary", "shels.layers=1,2"], 1, "did you mean shells"),
         (&["fur.ron", "--vary", "shells.layer=1,2"], 1, "layers"),
         (&["fur.ron", "--vary", "shells.layers=1,many"], 1, "many"),
         (&["fur.ron", "--vary", "shells.layers=1,0"], 1, "shells.layers=0"),
@@ -227,7 +274,7 @@ fn what_cannot_be_measured_is_said_and_nothing_written() {
     let (code, _, error) = measure(folder.path(), &["fur.ron", "--vary", "shells.layers=1,2", "-o", "file"]);
     assert!(code == 2 && error.contains("name a folder"), "{error}");
     assert_eq!(read(folder.path(), "file"), "as before");
-    assert_eq!(std::fs::read_dir(folder.path()).unwrap().count(), 4, "something was left behind");
+    assert_eq!(std::fs::read_dir(folder.path()).unwrap().count(), 6, "something was left behind");
 }
 
 #[test]

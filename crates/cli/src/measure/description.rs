@@ -25,8 +25,8 @@ pub(crate) struct Description {
     /// Times that each frame is timed.
     pub(crate) rounds: Option<u32>,
     pub(crate) set: IndexMap<String, String>,
-    /// What is measured anew in: axes of named cases, each what it sets. Every combination of one of each axis is a case.
-    pub(crate) cases: Vec<Axis>,
+    /// What is measured anew in: axes, as by model or by hair, of named cases, each what it sets. Every combination of one of each axis is a case.
+    pub(crate) cases: IndexMap<String, Axis>,
     pub(crate) vary: IndexMap<String, Vec<String>>,
     /// Those inputs that vary by which settings are told apart, so that only those alike in them compete.
     pub(crate) groups: Vec<String>,
@@ -57,7 +57,8 @@ struct Saved {
     #[serde(default)]
     set: IndexMap<String, Box<RawValue>>,
     #[serde(default)]
-    cases: Vec<IndexMap<String, IndexMap<String, Box<RawValue>>>>,
+    cases: IndexMap<String, IndexMap<String, IndexMap<String, Box<RawValue>>>>,
+    #[serde(default)]
     vary: IndexMap<String, Vec<Box<RawValue>>>,
     #[serde(default)]
     groups: Vec<String>,
@@ -83,7 +84,7 @@ impl Description {
             each: false,
             rounds: None,
             set: IndexMap::new(),
-            cases: Vec::new(),
+            cases: IndexMap::new(),
             vary: IndexMap::new(),
             groups: Vec::new(),
             directory: here(),
@@ -115,7 +116,11 @@ impl Description {
             each: saved.each,
             rounds: saved.rounds,
             set: texts(saved.set),
-            cases: saved.cases.into_iter().map(|axis| axis.into_iter().map(|(name, sets)| (name, texts(sets))).collect()).collect(),
+            cases: saved
+                .cases
+                .into_iter()
+                .map(|(axis, cases)| (axis, cases.into_iter().map(|(name, sets)| (name, texts(sets))).collect()))
+                .collect(),
             groups: saved.groups,
             vary: saved.vary.into_iter().map(|(target, values)| (target, values.iter().map(|raw| text(raw)).collect())).collect(),
             directory,

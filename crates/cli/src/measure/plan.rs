@@ -14,9 +14,6 @@ use crate::render::{makes_pictures, node_of};
 /// The most settings in one sweep.
 const MOST_SETTINGS: usize = 1000;
 
-/// The name of the column of cases.
-const CASE: &str = "case";
-
 /// What is evaluated, in order.
 pub(crate) struct Plan {
     /// The node whose pictures are measured.
@@ -25,7 +22,7 @@ pub(crate) struct Plan {
     pub(crate) output: String,
     /// What is measured against.
     pub(crate) against: String,
-    /// The inputs that vary, `case` before them if there are cases.
+    /// The axes of cases, and the inputs that vary.
     pub(crate) varied: Vec<String>,
     /// Those of them that tell the settings apart which do not compete.
     pub(crate) grouped_by: Vec<String>,
@@ -37,7 +34,7 @@ pub(crate) struct Plan {
 
 /// One combination.
 pub(crate) struct Setting {
-    /// The case, if there are cases, and a value for each input that varies.
+    /// A case for each axis, and a value for each input that varies.
     pub(crate) values: Vec<String>,
     pub(crate) graph: CheckedGraph,
     /// The output of the coat that is drawn.
@@ -84,21 +81,20 @@ impl Plan {
         }
         let mut graph = overrides.apply(graph, &sweep.graph, &registry)?;
         setter.set(&mut graph, &format!("{picture}.repeat"), "0")?;
-        let cases = cases(sweep);
-        let case = if sweep.cases.is_empty() { None } else { Some(CASE.to_owned()) };
-        let varied: Vec<String> = case.iter().cloned().chain(sweep.vary.keys().cloned()).collect();
-        let grouped_by: Vec<String> = case.iter().cloned().chain(sweep.groups.iter().cloned()).collect();
+        let axes = || sweep.cases.keys().cloned();
+        let varied: Vec<String> = axes().chain(sweep.vary.keys().cloned()).collect();
+        let grouped_by: Vec<String> = axes().chain(sweep.groups.iter().cloned()).collect();
         if let Some(unknown) = sweep.groups.iter().find(|name| !sweep.vary.contains_key(*name)) {
             return Err(Failure::Input(format!("{unknown} groups settings and does not vary; give --vary {unknown}=a,b,c, too")));
         }
         let mut plan = Self { picture, output, against, varied, grouped_by, settings: Vec::new(), references: Vec::new() };
-        for (name, sets) in cases {
+        for case in cases(sweep) {
             let mut graph = graph.clone();
-            for (target, value) in sets {
-                setter.set(&mut graph, target, value).map_err(|failure| prefixed(&format!("{name}: "), failure))?;
+            for (target, value) in case.sets {
+                let about = || format!("{}: ", case.names.join(", "));
+                setter.set(&mut graph, target, value).map_err(|failure| prefixed(&about(), failure))?;
             }
-            let case = case.as_ref().map(|_| name);
-            plan.add(&setter, sweep, &graph, case.as_ref(), &values)?;
+            plan.add(&setter, sweep, &graph, &case.names, &values)?;
         }
         plan.check_against(sweep)?;
         Ok(plan)
@@ -110,7 +106,7 @@ impl Plan {
         setter: &Setter<'_>,
         sweep: &Description,
         graph: &Graph,
-        case: Option<&String>,
+        case: &[String],
         values: &[Vec<String>],
     ) -> Result<(), Failure> {
         if !sweep.each {
@@ -126,7 +122,7 @@ impl Plan {
             }
             let fur = fur_of(&graph, setter.registry, &self.picture)
                 .ok_or_else(|| Failure::Input(format!("{}: {} draws no fur", sweep.graph.display(), self.picture)))?;
-            let values = case.into_iter().chain(values).cloned().collect();
+            let values = case.iter().chain(values).cloned().collect();
             self.settings.push(Setting { values, graph: setter.check(&graph)?, fur, reference: self.references.len() - 1 });
         }
         Ok(())
@@ -145,8 +141,11 @@ impl Plan {
 
     /// That there is a picture to measure against.
     fn check_against(&self, sweep: &Description) -> Result<(), Failure> {
-        let pictures: Vec<String> =
-            self.references.first().map(|graph| graph.outputs().filter(|(_, kind)| *kind == "Picture").map(|(port, _)| port).collect()).unwrap_or_default();
+        let pictures: Vec<String> = self
+            .references
+            .first()
+            .map(|graph| graph.outputs().filter(|(_, kind)| *kind == "Picture").map(|(port, _)| port).collect())
+            .unwrap_or_default();
         if pictures.contains(&self.against) {
             return Ok(());
         }
@@ -166,15 +165,24 @@ fn prefixed(what: &str, failure: Failure) -> Failure {
     }
 }
 
-/// Every combination of one case of each axis: its name, and what it sets. One without a name if there are no axes.
-fn cases(sweep: &Description) -> Vec<(String, Vec<(&String, &String)>)> {
-    let mut all = vec![(String::new(), Vec::new())];
-    for axis in &sweep.cases {
-        let with = |(before, sets): &(String, Vec<_>)| -> Vec<(String, Vec<(_, _)>)> {
-            let named = |name: &String| if before.is_empty() { name.clone() } else { format!("{before}, {name}") };
-            axis.iter().map(|(name, more)| (named(name), sets.iter().copied().chain(more).collect())).collect()
-        };
-        all = all.iter().flat_map(with).collect();
+/// One case of each axis.
+struct Case<'a> {
+    names: Vec<String>,
+    sets: Vec<(&'a String, &'a String)>,
+}
+
+/// Every combination of one case of each axis, the last axis changing first; one that sets nothing if there are no axes.
+fn cases(sweep: &Description) -> Vec<Case<'_>> {
+    let mut all = vec![Case { names: Vec::new(), sets: Vec::new() }];
+    for axis in sweep.cases.values() {
+        let mut joined = Vec::new();
+        for before in &all {
+            joined.extend(axis.iter().map(|(name, sets)| Case {
+                names: before.names.iter().chain([name]).cloned().collect(),
+                sets: before.sets.iter().copied().chain(sets).collect(),
+            }));
+        }
+        all = joined;
     }
     all
 }
@@ -199,18 +207,18 @@ fn finest_of_all(setter: &Setter<'_>, sweep: &Description, mut graph: Graph) -> 
 
 /// Every combination of values, the last input's changing first.
 fn combinations(sweep: &Description) -> Result<Vec<Vec<String>>, Failure> {
-    if sweep.vary.is_empty() {
+    if sweep.vary.is_empty() && sweep.cases.is_empty() {
         return Err(Failure::Usage("nothing varies; give --vary NODE.INPUT=a,b,c".into()));
     }
-    let axes = sweep.vary.values().map(Vec::len).chain(sweep.cases.iter().map(|axis| axis.len()));
+    let axes = sweep.vary.values().map(Vec::len).chain(sweep.cases.values().map(IndexMap::len));
     let count = axes.into_iter().try_fold(1usize, usize::checked_mul).unwrap_or(usize::MAX);
     if count > MOST_SETTINGS {
         return Err(Failure::Usage(format!(
             "{count} combinations are more than the {MOST_SETTINGS} of one sweep; vary fewer inputs at a time"
         )));
     }
-    if sweep.cases.iter().any(|axis| axis.is_empty()) {
-        return Err(Failure::Usage("an axis of cases has none; give { \"name\": { \"node.input\": value … } … }".into()));
+    if let Some((axis, _)) = sweep.cases.iter().find(|(_, cases)| cases.is_empty()) {
+        return Err(Failure::Usage(format!("{axis} has no cases; give {{ \"name\": {{ \"node.input\": value … }} … }}")));
     }
     if let Some((target, _)) = sweep.vary.iter().find(|(_, values)| values.is_empty()) {
         return Err(Failure::Usage(format!("{target} has no values; give NODE.INPUT=a,b,c")));
