@@ -135,9 +135,9 @@ pub struct Coat {
     pub surface: Surface,
     /// The tiling.
     pub patches: PatchMesh,
-    /// The edges.
+    /// The edges; none where there is no fin.
     pub edges: FinEdges,
-    /// The shell layers.
+    /// The shell layers; [`ShellTexture::bare`] where there are none, and with the innermost alone no shells are drawn.
     pub shells: Arc<ShellTexture>,
     /// The fin texture; without one no fins are drawn.
     pub fin: Option<Arc<FinTexture>>,

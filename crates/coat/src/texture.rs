@@ -92,6 +92,11 @@ impl ShellTexture {
         Self { encoding: Encoding::Rgba8, images: layers, mips, levels: vec![shells], directions: None }
     }
 
+    /// No hair: a skin of one white texel, so that the surface's own colours are all there is to it. What a coat has where nobody looks at its textures.
+    pub fn bare() -> Self {
+        Self::stack(1, vec![MipImage { width: 1, height: 1, texels: vec![255; 4] }])
+    }
+
     /// How many shells the finest level has, the skin included.
     pub fn layers(&self) -> u32 {
         self.levels.first().map_or(0, Vec::len) as u32

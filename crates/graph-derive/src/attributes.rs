@@ -3,7 +3,7 @@
 use syn::parse::{Parse, ParseStream};
 use syn::punctuated::Punctuated;
 use syn::spanned::Spanned;
-use syn::{Attribute, Expr, Ident, LitInt, LitStr, Token, Type, parenthesized};
+use syn::{Attribute, Expr, ExprArray, Ident, LitInt, LitStr, Token, Type, parenthesized};
 
 /// The one attribute of a name; more than one is an error.
 pub(crate) fn single<'a>(attributes: &'a [Attribute], name: &str) -> syn::Result<Option<&'a Attribute>> {
@@ -44,11 +44,13 @@ impl Parse for NodeAttribute {
     }
 }
 
-/// `#[output(port: Type, "What it is.")]`
+/// `#[output(port: Type, "What it is.", parts = [A, B])]`
 pub(crate) struct OutputAttribute {
     pub(crate) name: Ident,
     pub(crate) ty: Type,
     pub(crate) doc: LitStr,
+    /// Constants of type `Part`.
+    pub(crate) parts: Vec<Expr>,
 }
 
 impl Parse for OutputAttribute {
@@ -65,16 +67,26 @@ impl Parse for OutputAttribute {
         if doc.value().trim().is_empty() {
             return Err(syn::Error::new(doc.span(), "say what the output is"));
         }
+        let mut parts = Vec::new();
+        if input.peek(Ident) && !input.peek2(Token![:]) {
+            let key: Ident = input.parse()?;
+            if key != "parts" {
+                return Err(syn::Error::new(key.span(), "expected parts"));
+            }
+            parts = value::<ExprArray>(input)?.elems.into_iter().collect();
+            comma(input)?;
+        }
         if !input.is_empty() {
             return Err(input.error("one output for each #[output(…)]"));
         }
-        Ok(Self { name, ty, doc })
+        Ok(Self { name, ty, doc, parts })
     }
 }
 
-/// `#[input(was("…"))]`
+/// `#[input(required, was("…"))]`
 #[derive(Default)]
 pub(crate) struct InputAttribute {
+    pub(crate) required: bool,
     pub(crate) was: Vec<LitStr>,
 }
 
@@ -84,8 +96,9 @@ impl Parse for InputAttribute {
         while !input.is_empty() {
             let key: Ident = input.parse()?;
             match key.to_string().as_str() {
+                "required" => attribute.required = true,
                 "was" => attribute.was.extend(names(input)?),
-                _ => return Err(syn::Error::new(key.span(), "expected was")),
+                _ => return Err(syn::Error::new(key.span(), "expected required or was")),
             }
             comma(input)?;
         }

@@ -15,7 +15,9 @@
 //! | `#[node(was("…"))]` | kinds it had in files before; also on `#[input(…)]` and `#[param(…)]`, for fields that were renamed |
 //! | `#[node(context("frame", "adapter"))]` | context values it reads |
 //! | `#[output(port: Type, "What it is.")]` | one for each output, at least one; makes the struct `<Name>Outputs` |
+//! | `#[output(port: Type, "What it is.", parts = [A, B])]` | the same of a value with parts that are made only where they are wanted, constants of type `Part` |
 //! | `#[input]` on a field `Arc<T>`, `Option<Arc<T>>`, `Vec<Arc<T>>` | a value from another node |
+//! | `#[input(required)]` on a field `Option<Arc<T>>` | one that files must link, and that is `None` where no wanted output needs it |
 //! | `#[param(default = …, range = …, unit = "…", effect = "…")]` on a field | a value in the file |
 //!
 //! # `#[derive(Param)]`

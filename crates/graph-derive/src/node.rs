@@ -89,18 +89,24 @@ fn input_field(field: &Field, label: &str, attribute: &InputAttribute) -> syn::R
     let (inner, arity, read) = if let Some(inner) = argument(ty, "Arc") {
         (inner, quote!(One), quote!(fields.input(#label)?))
     } else if let Some(inner) = shared("Option") {
-        (inner, quote!(Optional), quote!(fields.optional_input(#label)?))
+        let arity = if attribute.required { quote!(One) } else { quote!(Optional) };
+        (inner, arity, quote!(fields.optional_input(#label)?))
     } else if let Some(inner) = shared("Vec") {
         (inner, quote!(Many), quote!(fields.input_list(#label)?))
     } else {
         return Err(syn::Error::new(ty.span(), "an input is Arc<T>, Option<Arc<T>> or Vec<Arc<T>>"));
     };
+    if attribute.required && shared("Option").is_none() {
+        return Err(syn::Error::new(ty.span(), "a required input that may be left out where nobody needs it is Option<Arc<T>>"));
+    }
+    let always = argument(ty, "Arc").is_some();
     let was = &attribute.was;
     let spec = quote!(::pelage_graph::InputSpec {
         name: #label.into(),
         doc: #doc.into(),
         ty: ::pelage_graph::PortType::of::<#inner>(),
         arity: ::pelage_graph::Arity::#arity,
+        always: #always,
         was: ::std::vec![#(#was.into()),*],
     });
     Ok((spec, read))

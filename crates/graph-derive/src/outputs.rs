@@ -60,8 +60,13 @@ pub(crate) fn outputs(input: &DeriveInput) -> syn::Result<OutputTokens> {
             }
         }
     };
-    let specs = labels.iter().zip(&types).zip(&docs).map(|((name, ty), doc)| {
-        quote!(::pelage_graph::OutputSpec { name: #name.into(), doc: #doc.into(), ty: ::pelage_graph::PortType::of::<#ty>() })
+    let specs = labels.iter().zip(&outputs).zip(&docs).map(|((name, OutputAttribute { ty, parts, .. }), doc)| {
+        quote!(::pelage_graph::OutputSpec {
+            name: #name.into(),
+            doc: #doc.into(),
+            ty: ::pelage_graph::PortType::of::<#ty>(),
+            parts: ::std::vec![#(#parts),*],
+        })
     });
     Ok(OutputTokens { ident, definition, specs: specs.collect() })
 }

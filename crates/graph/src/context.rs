@@ -7,6 +7,7 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use crate::evaluation::TraceEntry;
 use crate::graph::NodeId;
 use crate::literal::{Literal, Shape};
+use crate::needs::{Part, Wanted};
 use crate::node::NodeError;
 use crate::resources::Resources;
 
@@ -74,7 +75,7 @@ pub enum ContextError {
 /// What a running node may ask: which outputs are wanted, the declared context values, shared resources; and what it may tell.
 pub struct Context<'a> {
     pub(crate) node: &'a NodeId,
-    pub(crate) wanted: &'a [&'a str],
+    pub(crate) wanted: &'a [Wanted<'a>],
     pub(crate) declared: &'a [String],
     pub(crate) values: &'a BTreeMap<String, Literal>,
     pub(crate) resources: &'a Resources,
@@ -90,7 +91,12 @@ impl Context<'_> {
 
     /// Whether the output `port` is wanted. Those that are not need not be made, and are not kept.
     pub fn wants(&self, port: &str) -> bool {
-        self.wanted.contains(&port)
+        self.wanted.iter().any(|wanted| wanted.output() == port)
+    }
+
+    /// Whether this part of the output `port` is wanted. One that is not need not be made; what the output is without it is for the type of value to say.
+    pub fn wants_part(&self, port: &str, part: Part) -> bool {
+        self.wanted.iter().any(|wanted| wanted.output() == port && wanted.part(part))
     }
 
     /// A shared resource of the program, made if nobody asked before.

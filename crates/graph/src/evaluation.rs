@@ -6,6 +6,7 @@ use std::sync::Arc;
 
 use crate::graph::NodeId;
 use crate::key::Key;
+use crate::needs::Part;
 use crate::node::NodeError;
 use crate::spec::PortType;
 use crate::value::Value;
@@ -116,6 +117,19 @@ pub struct TraceEntry {
     pub bytes: usize,
     /// Key of each output that was asked for.
     pub keys: Vec<(String, Key)>,
+    /// Of each output that is there and has parts, which of them are.
+    pub parts: Vec<PortParts>,
+}
+
+/// Which parts of an output there are.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct PortParts {
+    /// The output.
+    pub port: String,
+    /// The parts that were made, as somebody wants them, in the order in which the output declares them.
+    pub made: Vec<Part>,
+    /// Those that nobody wants.
+    pub left_out: Vec<Part>,
 }
 
 /// The values that were asked for, or all that had a part in the run if [the request](crate::Request::with_all_values) says so, and the trace.

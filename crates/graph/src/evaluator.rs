@@ -4,13 +4,14 @@ use std::collections::BTreeMap;
 use std::num::NonZeroUsize;
 
 use crate::cache::{Cache, CacheUse};
-use crate::check::{CheckedGraph, Source};
+use crate::check::CheckedGraph;
+use crate::demand::Asked;
 use crate::evaluation::{EvaluateError, Evaluation};
 use crate::fault::nearest;
 use crate::literal::Literal;
 use crate::node::NodeError;
 use crate::plan::plan;
-use crate::request::Request;
+use crate::request::{AskedOutput, Request};
 use crate::resources::Resources;
 use crate::run::Run;
 
@@ -113,22 +114,23 @@ impl Evaluator {
 }
 
 /// The outputs asked for.
-fn asked(graph: &CheckedGraph, request: &Request) -> Result<Vec<Source>, EvaluateError> {
+fn asked(graph: &CheckedGraph, request: &Request) -> Result<Vec<Asked>, EvaluateError> {
     if request.outputs.is_empty() {
-        return graph.main.map(|main| vec![main]).ok_or(EvaluateError::NoMainOutput);
+        return graph.main.map(|source| vec![Asked { source, whole: true }]).ok_or(EvaluateError::NoMainOutput);
     }
-    let find = |output: &String| {
-        graph.source(output).ok_or_else(|| {
+    let find = |AskedOutput { name, whole }: &AskedOutput| match graph.source(name) {
+        Some(source) => Ok(Asked { source, whole: *whole }),
+        None => {
             let known: Vec<String> = graph.outputs().map(|(name, _)| name).collect();
-            EvaluateError::NoSuchOutput { output: output.clone(), nearest: nearest(output, known.iter().map(String::as_str)) }
-        })
+            Err(EvaluateError::NoSuchOutput { output: name.clone(), nearest: nearest(name, known.iter().map(String::as_str)) })
+        }
     };
     request.outputs.iter().map(find).collect()
 }
 
 /// The one output that [`Evaluation::main`] gives: the first asked for, or the graph's own.
 fn main_name(graph: &CheckedGraph, request: &Request) -> Option<String> {
-    request.outputs.first().cloned().or_else(|| {
+    request.outputs.first().map(|output| output.name.clone()).or_else(|| {
         let main = graph.main?;
         let node = &graph.nodes[main.node];
         Some(format!("{}.{}", node.id, node.kind.specification.outputs[main.port].name))

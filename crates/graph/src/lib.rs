@@ -97,7 +97,7 @@
 //!
 //! *Evaluation.* Keys and caching are per output, so that what is wanted is in the key and a later run that wants more shares what an earlier
 //! one made. This is the key of ComfyUI's `caching.py` and Graphite's `proto.rs` (hash of kind, version, parameters and input keys), taken to single ports.
-//! Requirements travel upstream by [`Evaluate::needs`]. Steps that do not wait for each other run side by side on threads of the run's own.
+//! Requirements travel upstream by [`Evaluate::needs`]: inputs that an output can do without, and [`Part`]s of a value that its readers can, are not made. Steps that do not wait for each other run side by side on threads of the run's own.
 //!
 //! *Saving.* The tree of what the graph says is laid beside the tree that was read, and only where they differ is text written anew; a graph made from nothing
 //! is an edited empty file. *Older versions* are brought up to today's by one step a version, on the tree, before anything knows of types.
@@ -109,6 +109,7 @@ mod cache;
 mod check;
 mod conform;
 mod context;
+mod demand;
 mod derived;
 mod edit;
 mod evaluation;
@@ -120,6 +121,7 @@ mod key;
 mod literal;
 mod matching;
 mod migrate;
+mod needs;
 mod node;
 mod param;
 mod param_types;
@@ -148,12 +150,13 @@ pub use context::{CancelToken, Cancelled, Context, ContextError, Observer};
 #[doc(hidden)]
 pub use derived::{read_field, read_variant, write_record};
 pub use edit::{EditError, Link};
-pub use evaluation::{EvaluateError, Evaluation, NodeFailure, State, TraceEntry};
+pub use evaluation::{EvaluateError, Evaluation, NodeFailure, PortParts, State, TraceEntry};
 pub use evaluator::Evaluator;
 pub use fault::{Fault, FaultKind, Faults};
 pub use graph::{Graph, GraphNode, NodeId, ReadError};
 pub use key::{FileError, Key};
 pub use literal::{Literal, Name, Place, Shape};
+pub use needs::{Needs, Part, Wanted};
 pub use node::{Evaluate, FieldError, Fields, Node, NodeError, Outputs, Params};
 pub use param::{Param, ParamError};
 pub use param_types::{Colour, FilePath};

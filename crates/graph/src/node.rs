@@ -6,6 +6,7 @@ use std::sync::Arc;
 use crate::conform::conform;
 use crate::context::Context;
 use crate::literal::Literal;
+use crate::needs::{Needs, Wanted};
 use crate::param::Param;
 use crate::spec::PortType;
 use crate::spec::{ParamSpec, Specification};
@@ -65,19 +66,38 @@ pub trait Node: Sized + Send + Sync + 'static {
 pub trait Evaluate: Node {
     /// Makes the wanted outputs: those for which [`Context::wants`] says so must be `Some`, the others had better be `None`.
     ///
-    /// A port's value may depend on the inputs, the parameters, the declared context and the content of the files only, never on
-    /// which other ports are wanted: the engine keeps and shares each by itself.
+    /// A port's value may depend on the inputs, the parameters, the declared context, the content of the files and
+    /// [its own wanted parts](Context::wants_part) only, never on which other ports are wanted: the engine keeps and shares each by itself.
     ///
     /// # Errors
     /// Whatever goes wrong; the engine adds which node it was.
     fn evaluate(&self, cx: &mut Context<'_>) -> Result<Self::Outputs, NodeError>;
 
-    /// Whether the *optional* input `input` has part in making `output`, given the parameters. One that has none is neither
-    /// computed for it nor part of its key, and unless another output needs it, the struct holds `None` (or an empty list).
-    /// So requirements travel upstream: what only a switched-off feature would read is not made.
-    fn needs(input: &str, output: &str, params: &Params<'_>) -> bool {
-        let _ = (input, output, params);
-        true
+    /// What of its inputs the node needs to make the wanted output, given the parameters: by default all, whole. So requirements travel upstream: what only
+    /// a switched-off feature would read is not made.
+    ///
+    /// A node that makes pictures of a coat reads no fins where they are switched off; one that lays the coat needs no fin texture where its readers want none:
+    ///
+    /// ```
+    /// # use pelage_graph::{Needs, Params, Part, Wanted};
+    /// # const FINS: Part = Part { name: "fins", doc: "The fins." };
+    /// # struct Draw;
+    /// # impl Draw {
+    /// fn needs(_: &Wanted<'_>, params: &Params<'_>) -> Needs {
+    ///     let fins = params.get::<bool>("fins").unwrap_or(true);
+    ///     Needs::all().parts("fur", fins.then_some(FINS))
+    /// }
+    /// # }
+    /// # struct Lay;
+    /// # impl Lay {
+    /// fn needs(wanted: &Wanted<'_>, _: &Params<'_>) -> Needs {
+    ///     if wanted.part(FINS) { Needs::all() } else { Needs::all().without("fin") }
+    /// }
+    /// # }
+    /// ```
+    fn needs(wanted: &Wanted<'_>, params: &Params<'_>) -> Needs {
+        let _ = (wanted, params);
+        Needs::all()
     }
 }
 
@@ -99,6 +119,11 @@ impl Params<'_> {
             Fetched::Literal(literal) => P::from_literal(literal).ok(),
             _ => None,
         }
+    }
+
+    /// Whether the input or parameter `name` is linked to an output.
+    pub fn is_linked(&self, name: &str) -> bool {
+        matches!(self.fields.find(name), Some(Fetched::Pending | Fetched::Linked(_) | Fetched::List(_)))
     }
 }
 

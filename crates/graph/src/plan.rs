@@ -1,6 +1,6 @@
 //! What has to run: from the outputs asked for back to what is at hand.
 //!
-//! Everything is done port by port. The key of a port is the hash of all that its value depends on, the keys of the ports
+//! Everything is done port by port. The key of a port is the hash of all that its value depends on, the parts that are made of it and the keys of the ports
 //! it draws from included; so what is wanted is in the key, and a run that wants more of a node shares what a run that wanted less has
 //! made. Three sweeps over the topological order: back to see what is asked for, forth to make keys, back to see what has to be computed.
 
@@ -9,13 +9,14 @@ use std::path::Path;
 
 use crate::cache::{Age, Cache};
 use crate::check::{Bound, CheckedGraph, CheckedNode, Source};
+use crate::demand::{AllDemands, Asked, Demand, demands};
 use crate::evaluation::NodeFailure;
 use crate::files::resolved;
 use crate::key::{Files, Key, KeyHasher};
 use crate::literal::Literal;
-use crate::node::{Fetched, Fields, NodeError, Params};
+use crate::needs::PartSet;
+use crate::node::{Fetched, Fields, NodeError};
 use crate::schedule::Order;
-use crate::spec::Arity;
 use crate::value::Value;
 
 /// Why the key of a node cannot be made.
@@ -26,8 +27,11 @@ pub(crate) fn failed(node: &CheckedNode, source: impl Into<NodeError>) -> NodeFa
 /// Gives the context values that a node declares.
 pub(crate) type ContextOf<'c> = dyn FnMut(&str) -> Result<Option<Literal>, NodeError> + 'c;
 
-/// Keys of all asked ports, by node and port.
+/// Keys of the values of all asked ports, by node and port.
 pub(crate) type Keys = Vec<Vec<Option<Key>>>;
+
+/// Keys of all ports, by node and port, one for each of its demands.
+type DemandKeys = Vec<Vec<Vec<Key>>>;
 
 /// An output that has to be made.
 pub(crate) struct Make {
@@ -47,6 +51,7 @@ pub(crate) struct Step {
 
 /// What a run has to do.
 pub(crate) struct Plan {
+    pub(crate) demands: AllDemands,
     pub(crate) keys: Keys,
     /// In topological order. No two make the same key.
     pub(crate) steps: Vec<Step>,
@@ -64,16 +69,7 @@ impl Plan {
     }
 }
 
-/// Whether `output` of the node draws on its field number `field`. Parameters and required inputs have part in every output.
-pub(crate) fn draws(node: &CheckedNode, needs: &Params<'_>, field: usize, output: usize) -> bool {
-    let specification = &node.kind.specification;
-    match specification.inputs.get(field) {
-        Some(input) if input.arity != Arity::One => (node.kind.needs)(&input.name, &specification.outputs[output].name, needs),
-        _ => true,
-    }
-}
-
-/// The fields as far as they are known before anything has run, for `needs` to look at.
+/// The fields as far as they are known before anything has run, for [`needs`](crate::Evaluate::needs) to look at.
 pub(crate) fn known_fields<'n>(node: &'n CheckedNode, directory: &Path) -> Fields<'n> {
     let specification = &node.kind.specification;
     let fetched = node.fields.iter().enumerate().map(|(index, bound)| match bound {
@@ -92,62 +88,55 @@ pub(crate) fn known_fields<'n>(node: &'n CheckedNode, directory: &Path) -> Field
 /// Errors: every node whose key cannot be made, as its files or its context cannot be had.
 pub(crate) fn plan(
     graph: &CheckedGraph,
-    asked: &[Source],
+    asked: &[Asked],
     cache: &mut Cache,
     context: &mut ContextOf<'_>,
 ) -> Result<Plan, Vec<NodeFailure>> {
     let known: Vec<Fields<'_>> = graph.nodes.iter().map(|node| known_fields(node, &graph.directory)).collect();
-    let keys = keys(graph, &known, &wanted(graph, &known, asked), context)?;
-    let mut plan = steps(graph, &known, asked, keys, cache);
+    let demands = demands(graph, &known, asked);
+    let keys = keys(graph, &known, &demands, context)?;
+    // What is made of a port is what all want of it together.
+    let keys = keys.into_iter().map(|ports| ports.into_iter().map(|keys| keys.last().copied()).collect()).collect();
+    let mut plan = steps(graph, asked, demands, keys, cache);
     for make in plan.steps.iter_mut().flat_map(|step| &mut step.make) {
         make.age = cache.next_age();
     }
     Ok(plan)
 }
 
-/// Sources of the fields that an output draws on.
-fn sources<'n>(node: &'n CheckedNode, known: &'n Fields<'n>, output: usize) -> impl Iterator<Item = &'n Source> {
-    let drawn = move |(field, _): &(usize, &Bound)| draws(node, &Params { fields: known }, *field, output);
-    let linked = node.fields.iter().enumerate().filter(|(_, bound)| !bound.sources().is_empty());
-    linked.filter(drawn).flat_map(|(_, bound)| bound.sources())
-}
-
-/// Back: a port that is asked for asks for the ports it draws on.
-fn wanted(graph: &CheckedGraph, known: &[Fields<'_>], asked: &[Source]) -> Vec<Vec<bool>> {
-    let mut wanted: Vec<Vec<bool>> = graph.nodes.iter().map(|node| vec![false; node.types.len()]).collect();
-    for source in asked {
-        wanted[source.node][source.port] = true;
-    }
-    for (index, node) in graph.nodes.iter().enumerate().rev() {
-        for output in (0..node.types.len()).filter(|&output| wanted[index][output]).collect::<Vec<_>>() {
-            for source in sources(node, &known[index], output) {
-                wanted[source.node][source.port] = true;
-            }
-        }
-    }
-    wanted
-}
-
-/// Forth: the key of every wanted port.
-fn keys(graph: &CheckedGraph, known: &[Fields<'_>], wanted: &[Vec<bool>], context: &mut ContextOf<'_>) -> Result<Keys, Vec<NodeFailure>> {
-    let mut keys: Keys = graph.nodes.iter().map(|node| vec![None; node.types.len()]).collect();
+/// Forth: the keys of every wanted port.
+fn keys(
+    graph: &CheckedGraph,
+    known: &[Fields<'_>],
+    demands: &AllDemands,
+    context: &mut ContextOf<'_>,
+) -> Result<DemandKeys, Vec<NodeFailure>> {
+    let mut keys: DemandKeys = graph.nodes.iter().map(|node| vec![Vec::new(); node.types.len()]).collect();
     let mut files = Files::new();
     let mut failures = Vec::new();
-    for (index, node) in graph.nodes.iter().enumerate().filter(|(index, _)| wanted[*index].contains(&true)) {
-        match base_key(node, &known[index], &mut files, context) {
-            Ok(base) => {
-                for output in (0..node.types.len()).filter(|&output| wanted[index][output]) {
-                    keys[index][output] = Some(port_key(node, &known[index], output, base.clone(), &keys));
-                }
+    let is_wanted = |index: usize| demands[index].iter().any(|demands| demands.together().is_some());
+    for (index, node) in graph.nodes.iter().enumerate().filter(|(index, _)| is_wanted(*index)) {
+        let base = match base_key(node, &known[index], &mut files, context) {
+            Ok(base) => base,
+            Err(failure) => {
+                failures.push(failure);
+                continue;
             }
-            Err(failure) => failures.push(failure),
+        };
+        for port in 0..node.types.len() {
+            let key_of = |source: &Source, parts: &PartSet| {
+                let place = demands[source.node][source.port].place(parts)?;
+                keys[source.node][source.port].get(place).copied()
+            };
+            let each = demands[index][port].each().iter();
+            keys[index][port] = each.map(|demand| port_key(graph, node, port, demand, base.clone(), &key_of)).collect();
         }
     }
     if failures.is_empty() { Ok(keys) } else { Err(failures) }
 }
 
 /// Back again: what is not at hand is to be made, and requires what it draws on. Of equal ports the first is made.
-fn steps(graph: &CheckedGraph, known: &[Fields<'_>], asked: &[Source], keys: Keys, cache: &mut Cache) -> Plan {
+fn steps(graph: &CheckedGraph, asked: &[Asked], demands: AllDemands, keys: Keys, cache: &mut Cache) -> Plan {
     let mut first: HashMap<Key, Source> = HashMap::new();
     for (node, ports) in keys.iter().enumerate() {
         for (port, key) in ports.iter().enumerate() {
@@ -161,18 +150,21 @@ fn steps(graph: &CheckedGraph, known: &[Fields<'_>], asked: &[Source], keys: Key
     let require = |key: Option<Key>, required: &mut BTreeSet<(usize, usize)>| {
         required.extend(key.and_then(|key| first.get(&key)).map(|source| (source.node, source.port)));
     };
-    asked.iter().for_each(|source| require(key(source), &mut required));
+    asked.iter().for_each(|asked| require(key(&asked.source), &mut required));
     let (mut have, mut steps) = (HashMap::new(), Vec::new());
     for (index, node) in graph.nodes.iter().enumerate().rev() {
         let mut step = Step { node: index, make: Vec::new(), draws: BTreeSet::new() };
         for (output, own) in keys[index].iter().enumerate() {
-            let Some(own) = own.filter(|_| required.contains(&(index, output))) else { continue };
-            if let Some(value) = cache.get(&own) {
-                have.insert(own, value);
+            let (Some(own), Some(demand)) = (own, demands[index][output].together()) else { continue };
+            if !required.contains(&(index, output)) {
                 continue;
             }
-            step.make.push(Make { port: output, key: own, age: 0 });
-            for drawn in sources(node, &known[index], output).filter_map(key) {
+            if let Some(value) = cache.get(own) {
+                have.insert(*own, value);
+                continue;
+            }
+            step.make.push(Make { port: output, key: *own, age: 0 });
+            for drawn in demand.all_sources(graph, node).filter_map(|(source, _)| key(source)) {
                 step.draws.insert(drawn);
                 require(Some(drawn), &mut required);
             }
@@ -182,7 +174,7 @@ fn steps(graph: &CheckedGraph, known: &[Fields<'_>], asked: &[Source], keys: Key
         }
     }
     steps.reverse();
-    Plan { keys, steps, have }
+    Plan { demands, keys, steps, have }
 }
 
 /// All that every output of the node depends on: the kind and its version, written parameters and files, declared context.
@@ -207,16 +199,27 @@ fn base_key(node: &CheckedNode, known: &Fields<'_>, files: &mut Files, context: 
     Ok(hasher)
 }
 
-/// Adds to `base` what the output draws on.
-fn port_key(node: &CheckedNode, known: &Fields<'_>, output: usize, mut base: KeyHasher, keys: &Keys) -> Key {
-    base.text(&node.kind.specification.outputs[output].name);
-    for (field, (name, bound)) in node.kind.specification.field_names().zip(&node.fields).enumerate() {
-        if bound.sources().is_empty() || !draws(node, &Params { fields: known }, field, output) {
+/// Adds to `base` which parts of the output are made, and what it draws on.
+fn port_key(
+    graph: &CheckedGraph,
+    node: &CheckedNode,
+    port: usize,
+    demand: &Demand,
+    mut base: KeyHasher,
+    key_of: &dyn Fn(&Source, &PartSet) -> Option<Key>,
+) -> Key {
+    let output = &node.kind.specification.outputs[port];
+    base.text(&output.name);
+    base.number(demand.made.len() as u64);
+    demand.made.iter().for_each(|&place| base.text(output.parts[place].name));
+    for (field, name) in node.kind.specification.field_names().enumerate() {
+        let sources: Vec<_> = demand.sources(graph, node, field).collect();
+        if sources.is_empty() {
             continue;
         }
         base.text(name);
-        base.number(bound.sources().len() as u64);
-        for key in bound.sources().iter().filter_map(|source| keys[source.node][source.port]) {
+        base.number(sources.len() as u64);
+        for key in sources.iter().filter_map(|(source, parts)| key_of(source, parts)) {
             base.key(&key);
         }
     }

@@ -55,6 +55,10 @@ fn write_node(specification: &Specification, out: &mut String) -> std::fmt::Resu
     for output in &specification.outputs {
         writeln!(out, "| `{}` | {} | {} |", output.name, output.ty.name, cell(&output.doc))?;
     }
+    for output in specification.outputs.iter().filter(|output| !output.parts.is_empty()) {
+        let parts: Vec<String> = output.parts.iter().map(|part| format!("`{}`, {}", part.name, cell(part.doc))).collect();
+        writeln!(out, "\nOf `{}` are made only where they are wanted: {}.", output.name, parts.join("; "))?;
+    }
     if !specification.context.is_empty() {
         writeln!(out, "\nDepends on the context: {}.", specification.context.join(", "))?;
     }

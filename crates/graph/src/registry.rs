@@ -7,6 +7,7 @@ use std::sync::Arc;
 use indexmap::IndexMap;
 
 use crate::context::Context;
+use crate::needs::{Needs, Wanted};
 use crate::node::{Evaluate, Fields, Node, NodeError, Outputs, Params};
 use crate::param_types::{Colour, FilePath};
 use crate::spec::Specification;
@@ -19,7 +20,7 @@ pub(crate) type Ports = Vec<(&'static str, Option<Value>)>;
 pub(crate) struct Kind {
     pub(crate) specification: Specification,
     pub(crate) run: fn(&Fields<'_>, &mut Context<'_>) -> Result<Ports, NodeError>,
-    pub(crate) needs: fn(&str, &str, &Params<'_>) -> bool,
+    pub(crate) needs: fn(&Wanted<'_>, &Params<'_>) -> Needs,
 }
 
 fn run<N: Evaluate>(fields: &Fields<'_>, cx: &mut Context<'_>) -> Result<Ports, NodeError> {
@@ -118,6 +119,9 @@ impl Registry {
 
     pub(crate) fn kind(&self, name: &str) -> Option<&Arc<Kind>> {
         self.kinds.get(name).or_else(|| self.former.get(name).and_then(|name| self.kinds.get(name)))
+    }
+    pub(crate) fn kinds(&self) -> impl Iterator<Item = &Arc<Kind>> {
+        self.kinds.values()
     }
     pub(crate) fn kind_names(&self) -> impl Iterator<Item = &str> {
         self.kinds.keys().map(String::as_str)

@@ -9,11 +9,19 @@ use crate::literal::Literal;
 /// Which outputs are asked for, and under what context.
 #[derive(Clone, Default)]
 pub struct Request {
-    pub(crate) outputs: Vec<String>,
+    pub(crate) outputs: Vec<AskedOutput>,
     pub(crate) all_values: bool,
     pub(crate) context: BTreeMap<String, Literal>,
     pub(crate) cancel: CancelToken,
     pub(crate) observer: Option<Arc<dyn Observer>>,
+}
+
+/// An output by its name, `node.port`.
+#[derive(Clone)]
+pub(crate) struct AskedOutput {
+    pub(crate) name: String,
+    /// With all its parts; else with those that others want.
+    pub(crate) whole: bool,
 }
 
 impl Request {
@@ -21,14 +29,20 @@ impl Request {
     pub fn main() -> Self {
         Self::default()
     }
-    /// One output, `node.port`.
+    /// One output, `node.port`, with all its parts.
     pub fn output(output: &str) -> Self {
         Self::default().and_output(output)
     }
     /// Another output besides.
     #[must_use]
     pub fn and_output(mut self, output: &str) -> Self {
-        self.outputs.push(output.to_owned());
+        self.outputs.push(AskedOutput { name: output.to_owned(), whole: true });
+        self
+    }
+    /// Another output besides, as it is on the way to the others: with those parts alone that they take, whether they are at hand or have to be made.
+    #[must_use]
+    pub fn and_on_the_way(mut self, output: &str) -> Self {
+        self.outputs.push(AskedOutput { name: output.to_owned(), whole: false });
         self
     }
     /// Keeping every value that has a part in the run, for statistics. Without it a value is dropped when the last node that draws on it

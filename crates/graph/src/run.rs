@@ -7,10 +7,12 @@ use std::time::Instant;
 use crate::cache::Cache;
 use crate::check::{Bound, CheckedGraph, CheckedNode, Source};
 use crate::context::{Cancelled, Context};
-use crate::evaluation::{EvaluateError, Evaluation, NodeFailure, State, TraceEntry};
+use crate::demand::{Asked, Demand};
+use crate::evaluation::{EvaluateError, Evaluation, NodeFailure, PortParts, State, TraceEntry};
 use crate::key::Key;
-use crate::node::{Fetched, Fields, Params};
-use crate::plan::{ContextValues, Plan, Step, draws, failed, known_fields};
+use crate::needs::{PartSet, Wanted};
+use crate::node::{Fetched, Fields};
+use crate::plan::{ContextValues, Plan, Step, failed, known_fields};
 use crate::registry::Ports;
 use crate::request::Request;
 use crate::resources::Resources;
@@ -60,7 +62,7 @@ impl<'r> Run<'r> {
     pub(crate) fn new(
         graph: &'r CheckedGraph,
         request: &'r Request,
-        asked: &[Source],
+        asked: &[Asked],
         mut plan: Plan,
         values: &'r ContextValues,
         resources: &'r Resources,
@@ -80,7 +82,7 @@ impl<'r> Run<'r> {
         let mut uses: HashMap<Key, usize> = HashMap::new();
         let kept: Vec<Key> = match request.all_values {
             true => plan.keys.iter().flatten().flatten().copied().collect(),
-            false => asked.iter().filter_map(|source| plan.keys[source.node][source.port]).collect(),
+            false => asked.iter().filter_map(|asked| plan.keys[asked.source.node][asked.source.port]).collect(),
         };
         for key in plan.steps.iter().flat_map(|step| &step.draws).chain(&kept) {
             *uses.entry(*key).or_default() += 1;
@@ -134,7 +136,9 @@ impl<'r> Run<'r> {
 
     fn evaluate(&self, step: &Step, fields: &Fields<'_>) -> Result<Ports, NodeFailure> {
         let node = &self.graph.nodes[step.node];
-        let wanted: Vec<&str> = step.make.iter().map(|make| node.kind.specification.outputs[make.port].name.as_str()).collect();
+        let outputs = &node.kind.specification.outputs;
+        let wanted = self.made(step).map(|(port, demand)| Wanted { output: &outputs[port], parts: &demand.made });
+        let wanted: Vec<Wanted<'_>> = wanted.collect();
         let mut cx = Context {
             node: &node.id,
             wanted: &wanted,
@@ -147,6 +151,12 @@ impl<'r> Run<'r> {
         (node.kind.run)(fields, &mut cx).map_err(|source| failed(node, source))
     }
 
+    /// The outputs that a step makes, and what of them.
+    fn made(&self, step: &Step) -> impl Iterator<Item = (usize, &Demand)> {
+        let demands = &self.plan.demands[step.node];
+        step.make.iter().filter_map(|make| Some((make.port, demands[make.port].together()?)))
+    }
+
     /// The node's fields, filled with the values of the ports they are linked to.
     fn fetch(&self, step: &Step) -> Fields<'r> {
         let node = &self.graph.nodes[step.node];
@@ -156,7 +166,7 @@ impl<'r> Run<'r> {
         };
         let known = known_fields(node, &self.graph.directory);
         let value = |source: &Source| self.plan.keys[source.node][source.port].and_then(|key| drawn.get(&key)).cloned();
-        let is_drawn = |field| step.make.iter().any(|make| draws(node, &Params { fields: &known }, field, make.port));
+        let is_drawn = |field| self.made(step).any(|(_, demand)| demand.draws_on(node, field));
         let linked = node.fields.iter().enumerate().map(|(field, bound)| match bound {
             Bound::Absent | Bound::Literal(_) => None,
             Bound::Link(_) | Bound::Links(_) if !is_drawn(field) => Some(Fetched::Absent),
@@ -211,7 +221,20 @@ impl<'r> Run<'r> {
 
     fn entry(&self, index: usize, state: State, ms: f64, bytes: usize) -> TraceEntry {
         let node = &self.graph.nodes[index];
-        TraceEntry { node: node.id.clone(), kind: node.kind.specification.kind.clone(), state, ms, bytes, keys: self.keys(index) }
+        let parts = if state == State::NotNeeded { Vec::new() } else { self.parts(index) };
+        TraceEntry { node: node.id.clone(), kind: node.kind.specification.kind.clone(), state, ms, bytes, keys: self.keys(index), parts }
+    }
+
+    /// Which parts of the node's outputs were asked for.
+    fn parts(&self, index: usize) -> Vec<PortParts> {
+        let outputs = self.graph.nodes[index].kind.specification.outputs.iter();
+        let asked = outputs.zip(&self.plan.demands[index]).filter(|(output, _)| !output.parts.is_empty());
+        let parts = asked.filter_map(|(output, demands)| {
+            let demand = demands.together()?;
+            let named = |parts: &PartSet| parts.iter().map(|&place| output.parts[place]).collect();
+            Some(PortParts { port: output.name.clone(), made: named(&demand.made), left_out: named(&demand.left_out) })
+        });
+        parts.collect()
     }
 
     /// Key of each output of the node that was asked for.

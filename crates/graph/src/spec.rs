@@ -5,6 +5,7 @@ use std::any::TypeId;
 use serde::Serialize;
 
 use crate::literal::Literal;
+use crate::needs::Part;
 use crate::param::Param;
 
 /// Everything about a node kind that its documented struct says. Made by `#[derive(Node)]`.
@@ -74,7 +75,7 @@ impl PortType {
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "lowercase")]
 pub enum Arity {
-    /// Exactly one: `Arc<T>`.
+    /// Exactly one: `Arc<T>`, or `Option<Arc<T>>` that is `#[input(required)]`.
     One,
     /// None or one: `Option<Arc<T>>`.
     Optional,
@@ -94,6 +95,9 @@ pub struct InputSpec {
     pub ty: PortType,
     /// How many.
     pub arity: Arity,
+    /// Whether the node cannot run without it: `Arc<T>`. Else it is there only where [`Needs`](crate::Needs) leave it.
+    #[serde(skip)]
+    pub always: bool,
     /// Names it had before, which files may still say.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub was: Vec<String>,
@@ -109,6 +113,9 @@ pub struct OutputSpec {
     /// Type of the value.
     #[serde(rename = "type")]
     pub ty: PortType,
+    /// What of it is made only where somebody wants it.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub parts: Vec<Part>,
 }
 
 /// A value written in the file: a parameter of a node, or a field of a record or variant within one.

@@ -1,8 +1,10 @@
 //! Whether every registered node says what a user has to know.
 
 use crate::conform::conform;
-use crate::registry::Registry;
-use crate::spec::{ParamSpec, ParamType, Specification};
+use crate::needs::{Needs, PartSet, Reading, Wanted};
+use crate::node::{Fetched, Fields, Params};
+use crate::registry::{Kind, Registry};
+use crate::spec::{OutputSpec, ParamSpec, ParamType, Specification};
 
 /// Something a specification leaves out or contradicts.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
@@ -36,7 +38,7 @@ impl Registry {
     ///
     /// Everything documented, categories given, names unique, field names in `snake_case`, port types registered; numbers with a unit, and those that stand alone
     /// with a range and an effect besides (a seed, whose unit is `seed`, needs no range); defaults that fit their own type
-    /// and range.
+    /// and range; needs that name inputs and parts that there are.
     ///
     /// # Errors
     /// All that is wrong.
@@ -45,9 +47,13 @@ impl Registry {
         for name in &self.repeated {
             faults.push(SpecificationFault { place: name.clone(), message: "registered twice".to_owned() });
         }
-        for specification in self.specifications() {
-            Visit { registry: self, place: specification.kind.clone(), faults: &mut faults }.node(specification);
+        for kind in self.kinds() {
+            let mut visit = Visit { registry: self, place: kind.specification.kind.clone(), faults: &mut faults };
+            visit.node(&kind.specification);
+            visit.needs(kind);
         }
+        // What a node says twice, of two ways in which it is wanted, is one fault.
+        faults.dedup();
         if faults.is_empty() { Ok(()) } else { Err(SpecificationFaults(faults)) }
     }
 }
@@ -99,9 +105,52 @@ impl Visit<'_> {
             let mut visit = self.within(&output.name);
             visit.named(&output.name, &output.doc);
             visit.port(output.ty.id, &output.ty.name);
+            visit.parts(output);
         }
         for param in &specification.params {
             self.within(&param.name).param(param);
+        }
+    }
+
+    fn parts(&mut self, output: &OutputSpec) {
+        for (index, part) in output.parts.iter().enumerate() {
+            self.within(part.name).named(part.name, part.doc);
+            let twice = output.parts[..index].iter().any(|other| other.name == part.name);
+            self.expect(!twice, &format!("two parts are called {:?}", part.name));
+        }
+    }
+
+    /// What the node says it needs where nothing is known yet but what is wanted: each output with all its parts, and with none.
+    fn needs(&mut self, kind: &Kind) {
+        let specification = &kind.specification;
+        let fetched = specification.field_names().map(|_| Fetched::Pending).collect();
+        let fields = Fields { specification, fetched };
+        for output in &specification.outputs {
+            for parts in [(0..output.parts.len()).collect(), PartSet::new()] {
+                let needs = (kind.needs)(&Wanted { output, parts: &parts }, &Params { fields: &fields });
+                self.within(&output.name).inputs(specification, &needs);
+            }
+        }
+    }
+
+    fn inputs(&mut self, specification: &Specification, needs: &Needs) {
+        for (name, reading) in needs.inputs() {
+            let Some(input) = specification.inputs.iter().find(|input| input.name == name) else {
+                self.expect(false, &format!("its needs name an input {name:?} that the node does not have"));
+                continue;
+            };
+            if *reading == Reading::Nothing {
+                let message = format!("its needs leave {name:?} out, which is always read; make it Option<Arc<…>> and #[input(required)]");
+                self.expect(!input.always, &message);
+            }
+            let Reading::Parts(parts) = reading else { continue };
+            let others: Vec<&OutputSpec> =
+                self.registry.specifications().flat_map(|other| &other.outputs).filter(|output| output.ty.id == input.ty.id).collect();
+            for part in parts {
+                let known = others.iter().any(|output| output.parts.contains(part));
+                let message = format!("its needs name a part {:?} of {name:?} that no output of type {} has", part.name, input.ty.name);
+                self.expect(known, &message);
+            }
         }
     }
 

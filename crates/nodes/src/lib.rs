@@ -34,9 +34,12 @@ mod framing;
 mod hair;
 mod light;
 mod models;
+pub mod parts;
 mod patches;
 #[cfg(feature = "gpu")]
 mod picture;
+#[cfg(feature = "gpu")]
+mod reads;
 mod reference;
 mod registry;
 mod shading;

@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use pelage_coat::{Background, Coat, Lights};
-use pelage_graph::{Colour, Context, Evaluate, Node, NodeError, Param};
+use pelage_graph::{Colour, Context, Evaluate, Needs, Node, NodeError, Param, Params, Wanted};
 use pelage_lighting::{Axis, Shading, TableLayout};
 use pelage_render::{
     AdapterSummary, Detail, FinRule, FrameStats, FrameTimes, Headless, LightingMode, March, Offscreen, Options, Picture, ShadowOptions,
@@ -11,6 +11,7 @@ use pelage_render::{
 };
 
 use crate::Framing;
+use crate::reads::drawn_parts;
 use crate::shading::linear;
 
 /// The graphics device that all pictures of a run are drawn on.
@@ -267,6 +268,10 @@ impl Evaluate for RenderImage {
         let adapter = gpu.headless().summary().clone();
         let frame = FrameReport { adapter, size: self.size, samples: self.samples, view, background, stats: picture.frame, times };
         Ok(RenderImageOutputs { image: Some(Arc::new(picture)), frame: Some(Arc::new(frame)) })
+    }
+
+    fn needs(_: &Wanted<'_>, params: &Params<'_>) -> Needs {
+        Needs::all().parts("fur", drawn_parts(params))
     }
 }
 

@@ -16,8 +16,9 @@ fn coat(parameters: &str) -> Arc<Coat> {
         "ramp": ScalarRamp(mesh: "plane.mesh", along: (1.0, 0.0, 0.0), from: 0.0, to: 2.0), "patches": GrowPatches(mesh: "plane.mesh"),
         "hair": GrowStrands(style: Straight, count: 20, length_variation: 0.0, lean: 0.0, splay: 0.0, gravity: 0.0, wander: 0.0, separation: 0.0,
             clump: 0.0, undercoat: (count: 0), steps: 256),
-        "shells": SampleShells(strands: "hair.strands", layers: 2, resolution: 8),
-        "coat": LayFur(mesh: "plane.mesh", patches: "patches.patches", strands: "hair.strands", shells: "shells.shells", length: {LENGTH:?}, {parameters})"#
+        "shells": SampleShells(strands: "hair.strands", layers: 2, resolution: 8), "fin": SampleFin(strands: "hair.strands", size: (8, 8)),
+        "coat": LayFur(mesh: "plane.mesh", patches: "patches.patches", strands: "hair.strands", shells: "shells.shells", fin: "fin.fin",
+            length: {LENGTH:?}, {parameters})"#
     );
     let checked = Graph::parse(&format!("Graph(version: 1, nodes: {{{nodes}}})")).unwrap().check(&pelage_nodes::registry()).unwrap();
     Evaluator::new(0).run(&checked, &Request::output("coat.fur")).unwrap().get::<Coat>("coat.fur").unwrap()

@@ -1,10 +1,12 @@
 //! What is laid, and how it is looked at.
 
+use std::f64::consts::PI;
 use std::ops::ControlFlow;
 
-use glam::DVec3;
-use pelage_coat::{Camera, Encoding, Lights, ShellTexture};
+use glam::{DVec3, Vec3};
+use pelage_coat::{Camera, Lights};
 use pelage_lighting::Shading;
+use pelage_strand::StrandTile;
 
 use crate::ReferenceError;
 use crate::error::within;
@@ -40,10 +42,19 @@ pub struct SkinColours {
 }
 
 impl SkinColours {
-    /// Skin of a colour between the hairs, which is what the layers were sampled over. Where it is bare the renderer shows the mean of the innermost layer, roots
-    /// and skin; so does this, unless the layers are compressed in blocks, where it is `under_fur` there, too.
-    pub fn of(shells: &ShellTexture, under_fur: DVec3) -> Self {
-        Self { under_fur, bare: innermost_mean(shells).unwrap_or(under_fur) }
+    /// Skin of a colour between the hairs, which is what layers are sampled over. Where it is bare the renderer shows the mean of the innermost layer, roots and
+    /// skin; so does this, of the innermost of infinitely many layers: roots cover their cross-sections, those of different hairs independently.
+    pub fn of(tile: &StrandTile, under_fur: DVec3) -> Self {
+        let (mut open, mut area, mut colour) = (1.0, 0.0, DVec3::ZERO);
+        for strand in tile.strands() {
+            let radius = f64::from(strand.radii.first().copied().unwrap_or_default());
+            let root = (PI * radius * radius).clamp(0.0, 1.0);
+            open *= 1.0 - root;
+            area += root;
+            colour += Vec3::from(strand.root_colour).as_dvec3() * root;
+        }
+        let roots = if area > 0.0 { colour / area } else { under_fur };
+        Self { under_fur, bare: roots.lerp(under_fur, open) }
     }
 }
 
@@ -53,23 +64,6 @@ impl Default for SkinColours {
         let skin = DVec3::new(0.11, 0.075, 0.055);
         Self { under_fur: skin, bare: skin }
     }
-}
-
-/// The mean colour of the skin's image; opaque, so that it is not premultiplied either.
-fn innermost_mean(shells: &ShellTexture) -> Option<DVec3> {
-    let (mip, skin) = (shells.mips.first()?, shells.levels.first()?.first()?);
-    if shells.encoding != Encoding::Rgba8 {
-        return None;
-    }
-    let bytes = shells.encoding.bytes(mip.width, mip.height);
-    let texels = mip.texels.chunks_exact(bytes.max(1)).nth(skin.image as usize)?;
-    let sum = texels.chunks_exact(4).map(|t| DVec3::new(decoded(t[0]), decoded(t[1]), decoded(t[2]))).sum::<DVec3>();
-    Some(sum / (texels.len() / 4) as f64)
-}
-
-fn decoded(byte: u8) -> f64 {
-    let c = f64::from(byte) / 255.0;
-    if c <= 0.04045 { c / 12.92 } else { ((c + 0.055) / 1.055).powf(2.4) }
 }
 
 /// How hair is laid on a coat.
@@ -140,15 +134,23 @@ pub fn quiet(_: f64) -> ControlFlow<()> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use pelage_coat::MipImage;
+    use pelage_strand::StrandSource;
 
     #[test]
-    fn bare_skin_has_the_mean_of_the_innermost_layer() {
-        // Of four texels in linear light, not of their bytes.
-        let texels = [[255, 0, 0, 255], [0, 188, 0, 255], [0, 0, 0, 255], [255, 255, 255, 255]].concat();
-        let shells = ShellTexture::stack(1, vec![MipImage { width: 2, height: 2, texels }]);
-        let colours = SkinColours::of(&shells, DVec3::splat(0.3));
-        assert_eq!(colours.under_fur, DVec3::splat(0.3));
-        assert!(colours.bare.abs_diff_eq(DVec3::new(0.5, 0.3757, 0.25), 1e-3), "{}", colours.bare);
+    fn bare_skin_shows_roots_for_their_cross_section() {
+        let hair = |radius: f64, root_colour: [f32; 3]| StrandSource {
+            radii: vec![radius, 0.0],
+            points: vec![[0.5, 0.5, 0.0], [0.9, 0.5, 1.0]],
+            root_colour,
+            tip_colour: [0.0; 3],
+        };
+        // A tenth, and a fifth of the tile.
+        let of = |share: f64| (share / PI).sqrt();
+        let tile = StrandTile::from_strands(1.0, &[hair(of(0.1), [1.0, 0.0, 0.0]), hair(of(0.2), [0.0, 1.0, 0.0])]).unwrap();
+        let colours = SkinColours::of(&tile, DVec3::splat(0.5));
+        assert_eq!(colours.under_fur, DVec3::splat(0.5));
+        // 0.9 · 0.8 is left open; the roots' mean is a third and two thirds.
+        let expected = 0.72 * DVec3::splat(0.5) + 0.28 * DVec3::new(1.0 / 3.0, 2.0 / 3.0, 0.0);
+        assert!(colours.bare.abs_diff_eq(expected, 1e-6), "{}", colours.bare);
     }
 }

@@ -56,7 +56,7 @@ pub use image::{FinTexture, Image, ShellStack, Work};
 pub use mips::MipRule;
 pub use picture::fin_from_pixels;
 pub use shell::Shell;
-pub use shells::{MAX_TEXELS, ShellSettings, sample_shells};
+pub use shells::{MAX_TEXELS, ShellSettings, sample_shells, sample_skin};
 pub use spacing::layers_for;
 pub use srgb::{linear_to_srgb, srgb_to_linear};
 pub use taper::OneLayerFit;

@@ -92,6 +92,19 @@ impl ShellSettings {
 /// # Errors
 /// Settings out of range, a box without height, or a strand that runs on for too long.
 pub fn sample_shells(tile: &StrandTile, settings: &ShellSettings) -> Result<ShellStack, VolumeError> {
+    sample_innermost(tile, settings, usize::MAX)
+}
+
+/// Samples the innermost of those layers alone: the skin, byte for byte as [`sample_shells`] makes it, for who draws no shells.
+///
+/// # Errors
+/// Those of [`sample_shells`].
+pub fn sample_skin(tile: &StrandTile, settings: &ShellSettings) -> Result<ShellStack, VolumeError> {
+    sample_innermost(tile, settings, 1)
+}
+
+/// So many of the layers, from the skin.
+fn sample_innermost(tile: &StrandTile, settings: &ShellSettings, count: usize) -> Result<ShellStack, VolumeError> {
     settings.validate()?;
     let height = tile.height();
     if !(height.is_finite() && height > 0.0) {
@@ -100,14 +113,14 @@ pub fn sample_shells(tile: &StrandTile, settings: &ShellSettings) -> Result<Shel
     check_extents(tile, [f64::from(settings.resolution); 2], [0, 1])?;
     let spans: Vec<(f32, f32)> = tile.strands().map(|strand| span(&strand)).collect();
     let heights = settings.spacing.heights(settings.layers);
-    let sampled: Vec<Sampled> = (0..heights.len())
+    let sampled: Vec<Sampled> = (0..heights.len().min(count))
         .into_par_iter()
         .map(|layer| sample_layer(tile, &spans, settings, &slab(tile, settings, &heights, layer)))
         .collect();
     let work = sampled.iter().fold(Work::default(), |sum, layer| sum.plus(layer.work));
     let (planes, directions): (Vec<Plane>, Vec<Option<Plane>>) = sampled.into_iter().map(|layer| (layer.plane, layer.directions)).unzip();
     let directions = settings.directions.map(|_| direction_mips(directions.into_iter().flatten().collect()));
-    let shells = (0u32..).zip(&heights).map(|(image, &height)| Shell::plain(height as f32, image)).collect();
+    let shells = (0u32..).zip(heights.iter().take(count)).map(|(image, &height)| Shell::plain(height as f32, image)).collect();
     Ok(ShellStack { height, mips: shell_mips(planes, settings.mip_rule), levels: vec![shells], directions, work })
 }
 

@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use glam::{DVec3, Vec3};
-use pelage_coat::{Coat, FinTexture, Frame, PatchMesh, ShellTexture, Surface};
+use pelage_coat::{Coat, FinEdges, FinTexture, Frame, PatchMesh, ShellTexture, Surface};
 use pelage_field::{ColourField, DirectionField, ScalarField};
 use pelage_mesh::{Mesh, VertexId};
 use pelage_patch::PatchTiling;
@@ -31,6 +31,8 @@ pub(crate) struct Dressing<'a> {
     pub(crate) cut: bool,
     /// Multiplies every colour; linear.
     pub(crate) tint: Vec3,
+    /// Whether it is to be looked at: has colours and directions to be lit by.
+    pub(crate) looks: bool,
     pub(crate) seed: u64,
 }
 
@@ -41,7 +43,7 @@ pub(crate) fn dress(dressing: &Dressing) -> Coat {
     let diameter = if mesh.diameter() > 0.0 { mesh.diameter() } else { 1.0 };
     let frame = Frame { centre: 0.5 * (low + high), diameter };
     let surface = surface(dressing, &frame);
-    let edges = fin_edges(dressing, &surface, &frame);
+    let edges = if dressing.fin.is_some() { fin_edges(dressing, &surface, &frame) } else { FinEdges::default() };
     Coat { frame, surface, patches: patch_mesh(dressing.tiling), edges, shells: Arc::clone(&dressing.shells), fin: dressing.fin.clone() }
 }
 
@@ -52,7 +54,7 @@ fn surface(dressing: &Dressing, frame: &Frame) -> Surface {
     let tile_side = dressing.tiling.tile_side() / frame.diameter;
     let lean = |curve: &Curve| Lean::of(dressing.strands, tile_side, dressing.length, curve);
     // Where there is no way to lie the hair is straight, however it bends elsewhere.
-    let (bent, straight) = (lean(&dressing.curve), lean(&Curve::new(0.0, 0.0)));
+    let leans = dressing.looks.then(|| (lean(&dressing.curve), lean(&Curve::new(0.0, 0.0))));
     let mut surface = Surface::default();
     for vertex in mesh.vertices() {
         let normal = normals[vertex.index()];
@@ -60,13 +62,13 @@ fn surface(dressing: &Dressing, frame: &Frame) -> Surface {
         let local = dressing.lengths.map_or(1.0, |field| f64::from(field.values()[vertex.index()]).max(0.0));
         let (scale, end) = if dressing.cut { cut(local) } else { (local, 1.0) };
         let (length, hair) = (dressing.length * scale, dressing.curve.lay(normal, along));
-        let lean = if along == DVec3::ZERO { &straight } else { &bent };
         surface.positions.push(frame.place(vertex.position()));
         surface.normals.push(normal.as_vec3());
         surface.offsets.push((length * hair.0).as_vec3());
         surface.bends.push((length * hair.1).as_vec3());
         surface.ends.push(end as f32);
-        surface.directions.push(lean.direction(end, normal, along, hair).as_vec3());
+        let lean = leans.as_ref().map(|(bent, straight)| if along == DVec3::ZERO { straight } else { bent });
+        surface.directions.push(lean.map_or(Vec3::ZERO, |lean| lean.direction(end, normal, along, hair).as_vec3()));
         let colour = dressing.colours.map_or(Vec3::ONE, |field| field.values()[vertex.index()]);
         surface.colours.push(colour * dressing.tint);
     }

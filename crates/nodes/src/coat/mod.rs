@@ -9,11 +9,12 @@ use std::sync::Arc;
 
 use pelage_coat::{Coat, FinTexture, ShellTexture};
 use pelage_field::{ColourField, DirectionField, ScalarField};
-use pelage_graph::{Colour, Context, Evaluate, Node, NodeError, Param};
+use pelage_graph::{Colour, Context, Evaluate, Needs, Node, NodeError, Param, Params, Part, Wanted};
 use pelage_mesh::Mesh;
 use pelage_patch::PatchTiling;
 use pelage_strand::StrandTile;
 
+use crate::parts::{DIRECTIONS, FINS, LAYERS, LEVELS, LOOKS, SKIN};
 use crate::shading::linear;
 use curve::Curve;
 use dress::{Dressing, dress};
@@ -30,7 +31,7 @@ pub enum LengthsAs {
 /// Lays the hair tile on a tiled surface: how long the fur is, how it stands, what colour it has.
 #[derive(Node)]
 #[node(category = "Coat", version = 1)]
-#[output(fur: Coat, "The coat, ready to draw.")]
+#[output(fur: Coat, "The coat, ready to draw.", parts = [SKIN, LAYERS, LEVELS, DIRECTIONS, FINS, LOOKS])]
 pub struct LayFur {
     /// The surface.
     #[input]
@@ -42,8 +43,8 @@ pub struct LayFur {
     #[input]
     pub strands: Arc<StrandTile>,
     /// The hair as shell layers.
-    #[input]
-    pub shells: Arc<ShellTexture>,
+    #[input(required)]
+    pub shells: Option<Arc<ShellTexture>>,
     /// The hair as a fin; without one no fins are drawn.
     #[input]
     pub fin: Option<Arc<FinTexture>>,
@@ -87,7 +88,7 @@ struct OtherMesh {
 }
 
 impl Evaluate for LayFur {
-    fn evaluate(&self, _: &mut Context<'_>) -> Result<Self::Outputs, NodeError> {
+    fn evaluate(&self, cx: &mut Context<'_>) -> Result<Self::Outputs, NodeError> {
         self.check_sizes()?;
         let coat = dress(&Dressing {
             mesh: &self.mesh,
@@ -95,18 +96,42 @@ impl Evaluate for LayFur {
             directions: self.directions.as_deref(),
             lengths: self.lengths.as_deref(),
             colours: self.colours.as_deref(),
-            shells: Arc::clone(&self.shells),
+            shells: self.shells.clone().unwrap_or_else(|| Arc::new(ShellTexture::bare())),
             fin: self.fin.clone(),
             strands: &self.strands,
             length: self.length,
             curve: Curve::new(self.slant.to_radians(), self.bend),
             cut: self.lengths_as == LengthsAs::Cut,
             tint: linear(self.tint),
+            looks: cx.wants_part("fur", LOOKS),
             seed: self.seed,
         });
         coat.check()?;
         Ok(coat.into())
     }
+
+    fn needs(wanted: &Wanted<'_>, params: &Params<'_>) -> Needs {
+        let shells = shell_parts(wanted, params);
+        let mut needs = Needs::all().parts("shells", shells.iter().copied());
+        if shells.is_empty() && !wanted.part(SKIN) {
+            needs = needs.without("shells");
+        }
+        if !wanted.part(FINS) {
+            needs = needs.without("fin");
+        }
+        if !wanted.part(LOOKS) {
+            needs = needs.without("colours");
+        }
+        if params.is_linked("fin") { needs } else { needs.absent(FINS) }
+    }
+}
+
+/// The parts of the shells that the coat has to have.
+fn shell_parts(wanted: &Wanted<'_>, params: &Params<'_>) -> Vec<Part> {
+    let cut = params.is_linked("lengths") && params.get("lengths_as") != Some(LengthsAs::Scale);
+    // Hair that is cut off ends over the distance between two shells, on fins too.
+    let needed = |part| wanted.part(part) || part == LAYERS && cut && wanted.part(FINS) && params.is_linked("fin");
+    [LAYERS, LEVELS, DIRECTIONS].into_iter().filter(|&part| needed(part)).collect()
 }
 
 impl LayFur {

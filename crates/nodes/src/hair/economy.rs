@@ -3,16 +3,22 @@
 use std::sync::Arc;
 
 use pelage_coat::{Encoding, ShellTexture};
-use pelage_graph::{Context, Evaluate, Node, NodeError, Param};
+use pelage_graph::{Context, Evaluate, Needs, Node, NodeError, Param, Params, Part, Wanted};
 use pelage_volume::{OneLayerFit, Spacing};
 
 use super::convert::{compressed_texture, shell_stack, shell_texture};
 use super::sample::ShellSpacing;
+use crate::parts::{DIRECTIONS, LAYERS, LEVELS};
+
+/// The wanted parts, but for coarser levels of detail: what is read by a node that makes its own, or leaves them out.
+fn finest(wanted: &Wanted<'_>) -> impl Iterator<Item = Part> {
+    wanted.parts().filter(|&part| part != LEVELS)
+}
 
 /// Coarser shells of the same hair for the distance: pairs composited again and again, down to one (L16).
 #[derive(Node)]
 #[node(category = "Hair", version = 1)]
-#[output(shells: ShellTexture, "The same shells, and every coarser level of detail; 2 N - 1 images for N.")]
+#[output(shells: ShellTexture, "The same shells, and every coarser level of detail; 2 N - 1 images for N.", parts = [LAYERS, LEVELS, DIRECTIONS])]
 pub struct LevelsOfDetail {
     /// The shells; their finest level is what the others are made of.
     #[input]
@@ -20,15 +26,23 @@ pub struct LevelsOfDetail {
 }
 
 impl Evaluate for LevelsOfDetail {
-    fn evaluate(&self, _: &mut Context<'_>) -> Result<Self::Outputs, NodeError> {
+    fn evaluate(&self, cx: &mut Context<'_>) -> Result<Self::Outputs, NodeError> {
+        if !cx.wants_part("shells", LEVELS) {
+            return Ok(Arc::clone(&self.shells).into());
+        }
         Ok(shell_texture(shell_stack(&self.shells)?.with_levels()?).into())
+    }
+
+    fn needs(wanted: &Wanted<'_>, _: &Params<'_>) -> Needs {
+        // The coarsest is all layers in one.
+        Needs::all().parts("shells", finest(wanted).chain(wanted.part(LEVELS).then_some(LAYERS)))
     }
 }
 
 /// The same images shown by another number of shells (K5), at other heights (K4).
 #[derive(Node)]
 #[node(category = "Hair", version = 1)]
-#[output(shells: ShellTexture, "The shells, and those images that one of them shows. One level of detail.")]
+#[output(shells: ShellTexture, "The shells, and those images that one of them shows. One level of detail.", parts = [LAYERS, DIRECTIONS])]
 pub struct ShareImages {
     /// The shells that have the images.
     #[input]
@@ -45,9 +59,15 @@ pub struct ShareImages {
 }
 
 impl Evaluate for ShareImages {
-    fn evaluate(&self, _: &mut Context<'_>) -> Result<Self::Outputs, NodeError> {
-        let shared = shell_stack(&self.shells)?.shared(self.count, Spacing::from(&self.spacing))?;
+    fn evaluate(&self, cx: &mut Context<'_>) -> Result<Self::Outputs, NodeError> {
+        // The first is the skin, whatever shares the others.
+        let count = if cx.wants_part("shells", LAYERS) { self.count } else { 1 };
+        let shared = shell_stack(&self.shells)?.shared(count, Spacing::from(&self.spacing))?;
         Ok(shell_texture(if self.keep_density { shared } else { shared.repeated() }).into())
+    }
+
+    fn needs(wanted: &Wanted<'_>, _: &Params<'_>) -> Needs {
+        Needs::all().parts("shells", finest(wanted))
     }
 }
 
@@ -80,7 +100,11 @@ pub struct OneLayerReport {
 /// Straight hair noticed: one image of it kept, which all shells show, tapered by an alpha ramp (L22).
 #[derive(Node)]
 #[node(category = "Hair", version = 1)]
-#[output(shells: ShellTexture, "A skin and one image, if they will do; else the shells as they were. One level of detail.")]
+#[output(
+    shells: ShellTexture,
+    "A skin and one image, if they will do, with one level of detail; else the shells as they were.",
+    parts = [LAYERS, LEVELS, DIRECTIONS]
+)]
 #[output(report: OneLayerReport, "How far the shells are from one image.")]
 pub struct OneLayer {
     /// The shells.
@@ -95,7 +119,12 @@ pub struct OneLayer {
 }
 
 impl Evaluate for OneLayer {
-    fn evaluate(&self, _: &mut Context<'_>) -> Result<Self::Outputs, NodeError> {
+    fn evaluate(&self, cx: &mut Context<'_>) -> Result<Self::Outputs, NodeError> {
+        let asks = [LAYERS, LEVELS].iter().any(|&part| cx.wants_part("shells", part)) || cx.wants("report");
+        if !asks {
+            // The skin is the same, whatever is above it.
+            return Ok(OneLayerOutputs { shells: Some(Arc::clone(&self.shells)), report: None });
+        }
         let stack = shell_stack(&self.shells)?;
         let fit = OneLayerFit::of(&stack)?;
         let kept = fit.unlikeness <= self.tolerance;
@@ -117,6 +146,11 @@ impl Evaluate for OneLayer {
         let shells = if kept { Arc::new(shell_texture(fit.stack(&stack))) } else { Arc::clone(&self.shells) };
         Ok(OneLayerOutputs { shells: Some(shells), report: Some(Arc::new(report)) })
     }
+
+    fn needs(wanted: &Wanted<'_>, _: &Params<'_>) -> Needs {
+        let looked_at = wanted.output() == "report" || wanted.part(LEVELS);
+        Needs::all().parts("shells", wanted.parts().chain(looked_at.then_some(LAYERS)))
+    }
 }
 
 /// How compressed images are handed on.
@@ -131,7 +165,7 @@ pub enum BlockForm {
 /// Images compressed in blocks (BC3), each as dense as it was (L22).
 #[derive(Node)]
 #[node(category = "Hair", version = 1)]
-#[output(shells: ShellTexture, "The shells with their images in blocks; a direction map stays as it is.")]
+#[output(shells: ShellTexture, "The shells with their images in blocks; a direction map stays as it is.", parts = [LAYERS, LEVELS, DIRECTIONS])]
 pub struct CompressShells {
     /// The shells, with all levels of detail that they are to have.
     #[input]
@@ -152,5 +186,9 @@ impl Evaluate for CompressShells {
             (BlockForm::Texels, Encoding::Rgba8) => Arc::new(shell_texture(stack.compressed().decoded())),
         };
         Ok(CompressShellsOutputs { shells: Some(shells) })
+    }
+
+    fn needs(wanted: &Wanted<'_>, _: &Params<'_>) -> Needs {
+        Needs::all().parts("shells", wanted.parts())
     }
 }

@@ -3,11 +3,12 @@
 use std::sync::Arc;
 
 use pelage_coat::{FinTexture, ShellTexture};
-use pelage_graph::{Colour, Context, Evaluate, Node, NodeError, Param};
+use pelage_graph::{Colour, Context, Evaluate, Needs, Node, NodeError, Param, Params, Wanted};
 use pelage_strand::StrandTile;
 use pelage_volume::{FinAcross, FinSettings, ShellSettings, Spacing};
 
 use super::convert::{fin_texture, shell_texture};
+use crate::parts::{DIRECTIONS, LAYERS};
 use crate::shading::linear;
 
 /// How the heights of shells follow from their numbers, from 0 at the skin to 1 at the tips (K4).
@@ -42,7 +43,7 @@ impl From<&ShellSpacing> for Spacing {
 /// Shell layers by a tall Gaussian filter against the strands (L8).
 #[derive(Node)]
 #[node(category = "Hair", version = 3)]
-#[output(shells: ShellTexture, "The layers, innermost first.")]
+#[output(shells: ShellTexture, "The layers, innermost first.", parts = [LAYERS, DIRECTIONS])]
 pub struct SampleShells {
     /// The hair.
     #[input]
@@ -71,18 +72,22 @@ pub struct SampleShells {
 }
 
 impl Evaluate for SampleShells {
-    fn evaluate(&self, _: &mut Context<'_>) -> Result<Self::Outputs, NodeError> {
+    fn evaluate(&self, cx: &mut Context<'_>) -> Result<Self::Outputs, NodeError> {
         let settings = ShellSettings {
             layers: self.layers,
             spacing: Spacing::from(&self.spacing),
             resolution: self.resolution,
             lateral_sigma: self.softness,
             skin_colour: linear(self.skin_colour).to_array(),
-            directions: self.directions.then_some(self.stretch),
+            directions: (self.directions && cx.wants_part("shells", DIRECTIONS)).then_some(self.stretch),
             ..ShellSettings::default()
         };
-        let stack = pelage_volume::sample_shells(&self.strands, &settings)?;
-        Ok(shell_texture(stack).into())
+        let sample = if cx.wants_part("shells", LAYERS) { pelage_volume::sample_shells } else { pelage_volume::sample_skin };
+        Ok(shell_texture(sample(&self.strands, &settings)?).into())
+    }
+
+    fn needs(_: &Wanted<'_>, params: &Params<'_>) -> Needs {
+        if params.get::<bool>("directions").unwrap_or(true) { Needs::all() } else { Needs::all().absent(DIRECTIONS) }
     }
 }
 

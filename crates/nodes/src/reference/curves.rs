@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use pelage_coat::Coat;
-use pelage_graph::{Context, Evaluate, Node, NodeError, Param};
+use pelage_graph::{Context, Evaluate, Needs, Node, NodeError, Param, Params, Wanted};
 use pelage_reference::{Curves, Laying, Placement, Scene};
 use pelage_strand::StrandTile;
 
@@ -48,5 +48,10 @@ impl Evaluate for StrandCurves {
     fn evaluate(&self, _: &mut Context<'_>) -> Result<Self::Outputs, NodeError> {
         let laying = Laying { placement: Placement::from(&self.placement), tolerance: self.tolerance, ..Laying::default() };
         Ok(Scene::new(&self.fur, &self.strands, &laying)?.curves()?.into())
+    }
+
+    fn needs(_: &Wanted<'_>, _: &Params<'_>) -> Needs {
+        // How the surface lies and how long its fur is.
+        Needs::all().parts("fur", [])
     }
 }

@@ -4,7 +4,7 @@ use std::ops::ControlFlow;
 use std::sync::Arc;
 
 use pelage_coat::{Background, Coat, Lights};
-use pelage_graph::{Colour, Context, Evaluate, Node, NodeError, Param};
+use pelage_graph::{Colour, Context, Evaluate, Needs, Node, NodeError, Param, Params, Wanted};
 use pelage_lighting::Shading;
 use pelage_reference::{Counts, Image, Laying, Placement, Scene, Settings, Shadows, SkinColours, View};
 use pelage_render::{FrameStats, Picture};
@@ -12,6 +12,7 @@ use pelage_strand::StrandTile;
 
 use super::HairPlacement;
 use crate::Framing;
+use crate::parts::LOOKS;
 use crate::shading::linear;
 
 /// Where shadows within the coat come from.
@@ -46,7 +47,7 @@ pub struct RayReport {
 /// The true picture: the real strands laid on the surface and ray cast, by which all drawing is judged. No shells, no fins, no textures; minutes, not
 /// milliseconds.
 #[derive(Node)]
-#[node(category = "Picture", version = 1)]
+#[node(category = "Picture", version = 2)]
 #[output(image: Picture, "The picture.")]
 #[output(rays: RayReport, "How much hair there was, and how many rays.")]
 pub struct ReferenceImage {
@@ -112,6 +113,11 @@ impl Evaluate for ReferenceImage {
         let rays = RayReport { counts: scene.counts(), camera_rays: image.camera_rays, shadow_rays: image.shadow_rays };
         Ok(ReferenceImageOutputs { image: Some(Arc::new(self.picture(&image, &rays))), rays: Some(Arc::new(rays)) })
     }
+
+    fn needs(_: &Wanted<'_>, _: &Params<'_>) -> Needs {
+        // No textures: the hair is there itself. So settings of the textures are no part of the truth's key.
+        Needs::all().parts("fur", [LOOKS])
+    }
 }
 
 impl ReferenceImage {
@@ -121,7 +127,7 @@ impl ReferenceImage {
             placement: Placement::from(&self.placement),
             length_scale: self.length_scale,
             tolerance: self.tolerance,
-            skin: SkinColours::of(&self.fur.shells, under_fur),
+            skin: SkinColours::of(&self.strands, under_fur),
         }
     }
 
