@@ -4,7 +4,7 @@ use std::io::{IsTerminal, Write};
 use std::sync::{Mutex, MutexGuard, PoisonError};
 
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
-use pelage_graph::{Evaluation, NodeId, Observer, State, TraceEntry};
+use pelage_graph::{Evaluation, NodeId, Observer, PortParts, State, TraceEntry};
 
 /// Shows which nodes run.
 pub(crate) struct Progress {
@@ -83,6 +83,13 @@ fn say(entry: &TraceEntry) {
         State::Hit => "cached",
         State::NotNeeded => "not needed",
     };
+    let parts: String = entry.parts.iter().map(left_out).collect();
     // Nothing is left to do if standard error is gone.
-    let _ = writeln!(std::io::stderr(), "{:<16} {:<14} {state:<10} {:>8.1} ms", entry.node.to_string(), entry.kind, entry.ms);
+    let _ = writeln!(std::io::stderr(), "{:<16} {:<14} {state:<10} {:>8.1} ms{parts}", entry.node.to_string(), entry.kind, entry.ms);
+}
+
+/// `  fur without fins, levels`; nothing of an output that is whole.
+fn left_out(output: &PortParts) -> String {
+    let names: Vec<&str> = output.left_out.iter().map(|part| part.name).collect();
+    if names.is_empty() { String::new() } else { format!("  {} without {}", output.port, names.join(", ")) }
 }

@@ -2,7 +2,7 @@
 
 use pelage_coat::{Coat, Encoding, FinTexture, ShellTexture};
 use pelage_field::DirectionField;
-use pelage_graph::{Evaluation, State};
+use pelage_graph::{Evaluation, Part, PortParts, State};
 use pelage_mesh::{Mesh, RepairReport, Summary};
 use pelage_patch::PatchTiling;
 #[cfg(feature = "gpu")]
@@ -26,8 +26,8 @@ impl Stats {
         if let (Some(mesh), Some(tiling)) = (&found.mesh, &found.tiling) {
             stats.insert("patches".into(), patches(mesh, tiling, found.directions.as_deref()));
         }
-        if let Some(shells) = &found.shells {
-            stats.insert("textures".into(), textures(shells, found.fin.as_deref()));
+        if found.shells.is_some() || found.fin.is_some() {
+            stats.insert("textures".into(), textures(found.shells.as_deref(), found.fin.as_deref()));
         }
         Self(stats)
     }
@@ -77,7 +77,7 @@ impl Found {
             found.directions = value.downcast::<DirectionField>().or(found.directions);
             found.tiling = value.downcast::<PatchTiling>().or(found.tiling);
             if let Some(coat) = value.downcast::<Coat>() {
-                found.shells = Some(coat.shells.clone());
+                found.shells = Some(coat.shells.clone()).filter(|shells| **shells != ShellTexture::bare());
                 found.fin.clone_from(&coat.fin);
             }
         }
@@ -92,9 +92,19 @@ fn trace(evaluation: &Evaluation) -> Value {
             State::Hit => "cached",
             State::NotNeeded => "not needed",
         };
-        (entry.node.to_string(), json!({ "kind": entry.kind, "state": state, "ms": entry.ms }))
+        let mut node = json!({ "kind": entry.kind, "state": state, "ms": entry.ms });
+        if !entry.parts.is_empty() {
+            node["parts"] = Value::Object(entry.parts.iter().map(parts).collect());
+        }
+        (entry.node.to_string(), node)
     });
     Value::Object(nodes.collect())
+}
+
+/// An output, and which of its parts there are and which nobody wants.
+fn parts(output: &PortParts) -> (String, Value) {
+    let names = |parts: &[Part]| parts.iter().map(|part| part.name).collect::<Vec<_>>();
+    (output.port.clone(), json!({ "made": names(&output.made), "left_out": names(&output.left_out) }))
 }
 
 fn model(summary: &Summary, repairs: Option<&RepairReport>) -> Value {
@@ -150,20 +160,27 @@ fn frame(report: &crate::FrameReport) -> Value {
         frame["ms_max"] = json!(times.ms_max);
     }
     if let Some(passes) = report.times.as_ref().and_then(|times| times.passes).or(stats.passes) {
-        frame["pass_ms"] = json!({ "compute": passes.compute, "surface": passes.surface, "fins": passes.fins, "shells": passes.shells });
+        let named = [("compute", passes.compute), ("surface", passes.surface), ("fins", passes.fins), ("shells", passes.shells)];
+        frame["pass_ms"] = Value::Object(named.into_iter().filter_map(|(name, ms)| Some((name.to_owned(), json!(ms?)))).collect());
     }
     frame
 }
 
-fn textures(shells: &ShellTexture, fin: Option<&FinTexture>) -> Value {
-    let (shell_bytes, direction_bytes, fin_bytes) = (shells.byte_size(), shells.direction_bytes(), fin.map_or(0, FinTexture::byte_size));
-    let encoding = match shells.encoding {
-        Encoding::Rgba8 => "rgba8",
-        Encoding::Bc3 => "bc3",
-    };
-    json!({
+fn textures(shells: Option<&ShellTexture>, fin: Option<&FinTexture>) -> Value {
+    let (shell_bytes, direction_bytes) = (shells.map_or(0, ShellTexture::byte_size), shells.map_or(0, ShellTexture::direction_bytes));
+    let fin_bytes = fin.map_or(0, FinTexture::byte_size);
+    let mut textures = json!({
         "shell_bytes": shell_bytes, "fin_bytes": fin_bytes, "direction_bytes": direction_bytes,
         "total_bytes": shell_bytes + fin_bytes + direction_bytes,
-        "layers": shells.layers(), "resolution": shells.resolution(), "images": shells.images, "encoding": encoding,
-    })
+    });
+    if let Some(shells) = shells {
+        textures["layers"] = json!(shells.layers());
+        textures["resolution"] = json!(shells.resolution());
+        textures["images"] = json!(shells.images);
+        textures["encoding"] = json!(match shells.encoding {
+            Encoding::Rgba8 => "rgba8",
+            Encoding::Bc3 => "bc3",
+        });
+    }
+    textures
 }

@@ -15,7 +15,8 @@ pub struct Contender {
     report: Arc<FrameReport>,
 }
 
-/// The output that the node of a picture draws, `coat.fur` say; none if the node has no fur linked. To be asked for along with the picture by who wants a [`Contender`].
+/// The output that the node of a picture draws, `coat.fur` say; none if the node has no fur linked. To be asked for
+/// [on the way](pelage_graph::Request::and_on_the_way) to the picture by who wants a [`Contender`].
 pub fn fur_of(graph: &Graph, registry: &Registry, picture: &str) -> Option<String> {
     graph.links(registry).into_iter().find(|link| link.node.as_str() == picture && link.field == "fur").map(|link| link.from)
 }

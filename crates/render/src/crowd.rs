@@ -124,15 +124,16 @@ impl Crowd {
     }
 
     pub(crate) fn draw_surface(&self, pass: &mut RenderPass<'_>) {
-        for Run { level, instances } in self.skin_runs.iter().filter(|run| self.levels[run.level].shown.surface) {
+        for Run { level, instances } in &self.skin_runs {
             self.levels[*level].draw_surface(pass, Some(&self.skins), instances.clone());
         }
     }
 
     pub(crate) fn draw_shells(&self, pass: &mut RenderPass<'_>) {
-        for Run { level, instances } in self.shell_runs.iter().filter(|run| self.levels[run.level].shown.shells) {
+        for Run { level, instances } in &self.shell_runs {
             let frame = &self.levels[*level];
-            frame.begin_tiles(pass, &frame.pipelines.shells);
+            let Some(pipeline) = &frame.pipelines.shells else { continue };
+            frame.begin_tiles(pass, pipeline);
             pass.set_vertex_buffer(1, self.shells.slice(..));
             pass.set_index_buffer(self.coat.furred_faces.slice(..), IndexFormat::Uint32);
             pass.draw_indexed(0..3 * self.coat.furred_face_count(), 0, instances.clone());

@@ -24,15 +24,20 @@ impl Fragments {
     }
 }
 
-/// What is counted apart.
-#[derive(Clone, Copy, Debug)]
+/// What is drawn, and counted, apart.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Part {
     Surface,
     Fins,
     Shells,
 }
 
-const PARTS: u32 = 3;
+impl Part {
+    /// In the order in which they are drawn.
+    pub(crate) const ALL: [Self; 3] = [Self::Surface, Self::Fins, Self::Shells];
+}
+
+const PARTS: u32 = Part::ALL.len() as u32;
 const BYTES: u64 = 8 * PARTS as u64;
 
 /// A query for each part of a frame.

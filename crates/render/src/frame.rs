@@ -91,7 +91,7 @@ impl Frame {
         let maker = Maker { device, queue, shared, coat, buffers: &buffers, second };
         let mut frame = Self {
             resources: Resources::new(&maker, moment.needs)?,
-            pipelines: shared.pipelines.get(device, variant(coat, view, &moment.schedule, crowd)),
+            pipelines: shared.pipelines.get(device, variant(coat, view, &moment.schedule, crowd), moment.shown),
             casters: casters(device, shared, coat, view, &moment.schedule),
             coat: coat.clone(),
             second: second.clone(),
@@ -116,7 +116,7 @@ impl Frame {
         let moment = Moment::new(device, &self.coat, view, viewpoint)?;
         let maker = Maker { device, queue, shared, coat: &self.coat, buffers: &self.buffers, second: &self.second };
         let new_map = self.resources.meet(&maker, moment.needs)?;
-        self.pipelines = shared.pipelines.get(device, variant(&self.coat, view, &moment.schedule, self.crowd));
+        self.pipelines = shared.pipelines.get(device, variant(&self.coat, view, &moment.schedule, self.crowd), moment.shown);
         self.casters = casters(device, shared, &self.coat, view, &moment.schedule);
         self.write(queue, moment, new_map);
         Ok(())
@@ -155,9 +155,10 @@ impl Frame {
         pass.set_bind_group(1, &self.coat.bind_group, &[]);
     }
 
-    /// The skin, so many times; of a crowd after its words are set.
+    /// The skin, so many times, if it is shown; of a crowd after its words are set.
     pub(crate) fn draw_surface(&self, pass: &mut RenderPass<'_>, words: Option<&Buffer>, instances: Range<u32>) {
-        self.begin_tiles(pass, &self.pipelines.surface);
+        let Some(pipeline) = &self.pipelines.surface else { return };
+        self.begin_tiles(pass, pipeline);
         if let Some(words) = words {
             pass.set_vertex_buffer(1, words.slice(..));
         }

@@ -4,13 +4,13 @@ use std::sync::{Mutex, MutexGuard, PoisonError};
 use std::time::Instant;
 
 use pelage_coat::{Background, Coat};
-use wgpu::{CommandEncoder, CommandEncoderDescriptor, TextureFormat};
+use wgpu::{CommandEncoder, CommandEncoderDescriptor, RenderPass, TextureFormat};
 
 use crate::attachments::{Attachments, PassMeasures, Place};
 use crate::background::BackgroundPass;
 use crate::counts::Counts;
 use crate::fragments::{FragmentCounter, Part, counted};
-use crate::timing::PassTimer;
+use crate::timing::{PassTimer, Stamps, Timed};
 use crate::{
     DepthBuffer, FrameStats, FrameTimes, GpuCoat, Headless, PassTimes, Picture, PreparedView, RenderError, Renderer, Target, View,
     Viewpoint, limits, readback,
@@ -106,14 +106,14 @@ impl Offscreen {
         let buffer = readback::readable(device, u64::from(stride) * u64::from(height));
         let mut encoder = self.encoder();
         let plan = FramePlan { attachments, hidden: view.options.hidden && view.options.culling };
-        self.encode(&mut encoder, &plan, &mut prepared, Measures { timer: self.timer.as_ref(), counter: Some(&self.counter) });
+        let stamps = self.encode(&mut encoder, &plan, &mut prepared, Measures { timer: self.timer.as_ref(), counter: Some(&self.counter) });
         let counts = Counts::record(device, &mut encoder, &prepared);
         readback::copy_pixels(&mut encoder, &attachments.pixels, &buffer);
         self.headless.queue().submit([encoder.finish()]);
         // A refused frame leaves nothing to read.
         self.headless.check()?;
         let pixels = readback::read(device, &buffer, <[u8]>::to_vec)?;
-        let passes = self.timer.as_ref().map(|timer| timer.read(device, self.headless.queue())).transpose()?;
+        let passes = self.timer.as_ref().map(|timer| timer.read(device, self.headless.queue(), &stamps)).transpose()?;
         self.headless.check()?;
         let fragments = Some(self.counter.read(device)?);
         let frame = FrameStats { passes, fragments, ..counts.read(device, &prepared)? };
@@ -173,41 +173,57 @@ impl Offscreen {
         self.renderer.prepare(self.headless.device(), self.headless.queue(), coat, view, &viewpoint)
     }
 
-    /// What is computed ahead, then one drawing pass, or three of them if they are timed or what is hidden is left out.
-    fn encode(&self, encoder: &mut CommandEncoder, plan: &FramePlan<'_>, view: &mut PreparedView, measures: Measures<'_>) {
-        let (attachments, Measures { timer, counter }) = (plan.attachments, measures);
-        let measured =
-            |pass| PassMeasures { times: timer.map(|timer| timer.writes(pass)), fragments: counter.map(FragmentCounter::queries) };
-        self.renderer.compute_timed(encoder, view, timer.map(PassTimer::compute_writes));
-        if timer.is_none() && !plan.hidden {
-            let mut pass = attachments.pass(encoder, "frame", Place { first: true, last: true }, measured(0));
-            self.background.draw(&mut pass);
-            counted(counter, Part::Surface, &mut pass, |pass| self.renderer.draw_surface(pass, view));
-            counted(counter, Part::Fins, &mut pass, |pass| self.renderer.draw_fins(pass, view));
-            counted(counter, Part::Shells, &mut pass, |pass| self.renderer.draw_shells(pass, view));
-        } else {
+    /// What is computed ahead, then one drawing pass, or one for each part of the picture if they are timed or what is hidden is left out.
+    fn encode(&self, encoder: &mut CommandEncoder, plan: &FramePlan<'_>, view: &mut PreparedView, measures: Measures<'_>) -> Stamps {
+        let Measures { timer, counter } = measures;
+        let mut stamps = Stamps::default();
+        let computed = timer.filter(|_| view.picks()).map(|timer| timer.compute_writes(&mut stamps));
+        self.renderer.compute_timed(encoder, view, computed);
+        let parts: Vec<Part> = view.parts().collect();
+        let hidden = plan.hidden && parts.contains(&Part::Shells);
+        let passes: Vec<&[Part]> = if timer.is_some() || hidden { parts.chunks(1).collect() } else { vec![&parts] };
+        for (number, drawn) in passes.iter().enumerate() {
+            let place = Place { first: number == 0, last: number + 1 == passes.len() };
+            let times = timer.zip(drawn.first()).map(|(timer, &part)| timer.writes(&mut stamps, timed(part)));
+            let measured = PassMeasures { times, fragments: counter.map(FragmentCounter::queries) };
             {
-                let mut pass = attachments.pass(encoder, "surface", Place { first: true, last: false }, measured(0));
-                self.background.draw(&mut pass);
-                counted(counter, Part::Surface, &mut pass, |pass| self.renderer.draw_surface(pass, view));
+                let mut pass = plan.attachments.pass(encoder, "frame", place, measured);
+                if place.first {
+                    self.background.draw(&mut pass);
+                }
+                drawn.iter().for_each(|&part| counted(counter, part, &mut pass, |pass| self.draw(part, pass, view)));
+                // What is not drawn counts nothing; a device may wait for an answer that is not given.
+                let absent = Part::ALL.into_iter().filter(|part| place.last && !parts.contains(part));
+                absent.for_each(|part| counted(counter, part, &mut pass, |_| ()));
             }
-            if plan.hidden {
+            if hidden && place.first {
                 let (device, queue) = (self.headless.device(), self.headless.queue());
-                self.renderer.find_hidden(device, queue, encoder, view, DepthBuffer { view: &attachments.depth, size: self.size });
+                self.renderer.find_hidden(device, queue, encoder, view, DepthBuffer { view: &plan.attachments.depth, size: self.size });
             }
-            {
-                let mut pass = attachments.pass(encoder, "fins", Place { first: false, last: false }, measured(1));
-                counted(counter, Part::Fins, &mut pass, |pass| self.renderer.draw_fins(pass, view));
-            }
-            let mut pass = attachments.pass(encoder, "shells", Place { first: false, last: true }, measured(2));
-            counted(counter, Part::Shells, &mut pass, |pass| self.renderer.draw_shells(pass, view));
         }
         if let Some(timer) = timer {
-            timer.resolve(encoder);
+            timer.resolve(encoder, &stamps);
         }
         if let Some(counter) = counter {
             counter.resolve(encoder);
         }
+        stamps
+    }
+
+    fn draw(&self, part: Part, pass: &mut RenderPass<'_>, view: &PreparedView) {
+        match part {
+            Part::Surface => self.renderer.draw_surface(pass, view),
+            Part::Fins => self.renderer.draw_fins(pass, view),
+            Part::Shells => self.renderer.draw_shells(pass, view),
+        }
+    }
+}
+
+fn timed(part: Part) -> Timed {
+    match part {
+        Part::Surface => Timed::Surface,
+        Part::Fins => Timed::Fins,
+        Part::Shells => Timed::Shells,
     }
 }
 
@@ -226,17 +242,17 @@ impl TimedFrame<'_> {
     /// # Errors
     /// A lost device.
     pub fn draw(&mut self) -> Result<f64, RenderError> {
-        self.draw_measured(None)
+        Ok(self.draw_measured(None)?.0)
     }
 
     fn draw_passes(&mut self, timer: &PassTimer) -> Result<PassTimes, RenderError> {
-        self.draw_measured(Some(timer))?;
-        timer.read(self.offscreen.headless.device(), self.offscreen.headless.queue())
+        let (_, stamps) = self.draw_measured(Some(timer))?;
+        timer.read(self.offscreen.headless.device(), self.offscreen.headless.queue(), &stamps)
     }
 
-    fn draw_measured(&mut self, timer: Option<&PassTimer>) -> Result<f64, RenderError> {
+    fn draw_measured(&mut self, timer: Option<&PassTimer>) -> Result<(f64, Stamps), RenderError> {
         let offscreen = self.offscreen;
-        let Some(attachments) = &offscreen.attachments else { return Ok(0.0) };
+        let Some(attachments) = &offscreen.attachments else { return Ok((0.0, Stamps::default())) };
         let _one_at_a_time = offscreen.lock();
         let (device, queue) = (offscreen.headless.device(), offscreen.headless.queue());
         offscreen.background.set(queue, &self.background)?;
@@ -244,10 +260,10 @@ impl TimedFrame<'_> {
         let mut encoder = offscreen.encoder();
         self.prepared.redraw_shadows();
         let plan = FramePlan { attachments, hidden: self.hidden };
-        offscreen.encode(&mut encoder, &plan, &mut self.prepared, Measures { timer, counter: None });
+        let stamps = offscreen.encode(&mut encoder, &plan, &mut self.prepared, Measures { timer, counter: None });
         queue.submit([encoder.finish()]);
         readback::wait(device)?;
-        Ok(start.elapsed().as_secs_f64() * 1e3)
+        Ok((start.elapsed().as_secs_f64() * 1e3, stamps))
     }
 }
 

@@ -39,7 +39,7 @@ impl Picks {
         queue.write_buffer(&self.faces.draws, 0, bytemuck::cast_slice(&arguments));
     }
 
-    /// Records the picking.
+    /// Records the picking of what there is to pick.
     pub(crate) fn record(&self, pass: &mut ComputePass<'_>, shared: &Shared, fins: bool, faces: bool) {
         if fins {
             self.fins.record(pass, &shared.selectors);
@@ -60,13 +60,13 @@ impl Picks {
     ) {
         let DepthBuffer { view, size } = depth;
         if self.hidden.as_ref().is_none_or(|hidden| (&hidden.depth, hidden.size) != (view, size)) {
-            let pyramid = Pyramid::new(device, queue, &shared.pyramids, view, size);
+            let pyramid = Pyramid::new(device, queue, shared.pyramids(device), view, size);
             let scene = Selection::scene_before(device, &shared.selectors, frame, coat, &pyramid.furthest);
             self.hidden = Some(Hidden { depth: view.clone(), size, pyramid, scene });
         }
         if let Some(hidden) = &self.hidden {
             let mut pass = encoder.begin_compute_pass(&ComputePassDescriptor { label: Some("hidden faces"), timestamp_writes: None });
-            hidden.pyramid.record(&mut pass, &shared.pyramids);
+            hidden.pyramid.record(&mut pass, shared.pyramids(device));
             self.faces.record_unhidden(&mut pass, &shared.selectors, &hidden.scene);
         }
     }

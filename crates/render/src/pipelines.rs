@@ -12,6 +12,7 @@ use wgpu::{
     ShaderStages, TextureSampleType, TextureViewDimension, VertexBufferLayout, VertexState, VertexStepMode, vertex_attr_array,
 };
 
+use crate::frame::Shown;
 use crate::pack::TileVertex;
 use crate::shader::assemble;
 use crate::{LightingMode, ShellDepth, Target, View};
@@ -26,13 +27,20 @@ pub(crate) const PRELUDE: [&str; 6] = [
     include_str!("shaders/shadow.wgsl"),
 ];
 
-/// What to draw with, for one view.
-#[derive(Clone, Debug)]
+/// What to draw with, for one view: nothing for a pass that it does not have.
+#[derive(Clone, Debug, Default)]
 pub(crate) struct PassPipelines {
-    pub(crate) surface: RenderPipeline,
-    /// None for a crowd.
+    pub(crate) surface: Option<RenderPipeline>,
     pub(crate) fins: Option<RenderPipeline>,
-    pub(crate) shells: RenderPipeline,
+    pub(crate) shells: Option<RenderPipeline>,
+}
+
+/// A pass that draws.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+enum Drawing {
+    Surface,
+    Fins,
+    Shells,
 }
 
 /// Everything that the shaders are compiled for.
@@ -171,7 +179,7 @@ pub(crate) struct Pipelines {
     pub(crate) frame_layout: BindGroupLayout,
     pub(crate) coat_layout: BindGroupLayout,
     layout: PipelineLayout,
-    made: Mutex<HashMap<Variant, PassPipelines>>,
+    made: Mutex<HashMap<(Drawing, Variant), RenderPipeline>>,
 }
 
 impl Pipelines {
@@ -186,56 +194,21 @@ impl Pipelines {
         Self { target, frame_layout, coat_layout, layout, made: Mutex::default() }
     }
 
-    /// The pipelines for a variant.
-    pub(crate) fn get(&self, device: &Device, variant: Variant) -> PassPipelines {
+    /// The pipelines for a variant, of the passes that are shown.
+    pub(crate) fn get(&self, device: &Device, variant: Variant, shown: Shown) -> PassPipelines {
         // A panic elsewhere leaves whole pipelines in the map.
         let mut made = self.made.lock().unwrap_or_else(PoisonError::into_inner);
-        made.entry(variant).or_insert_with(|| self.make(device, variant)).clone()
-    }
-
-    fn make(&self, device: &Device, variant: Variant) -> PassPipelines {
-        let surface = Pass {
-            source: include_str!("shaders/surface.wgsl"),
-            vertex: "surface_vertex",
-            fragment: "surface_fragment",
-            buffers: if variant.instanced { 2 } else { 1 },
-            // Where an open surface shows its back, it is skin all the same.
-            primitive: PrimitiveState::default(),
-            write_depth: true,
-            blend: None,
-        };
-        let blend = Some(BlendState::PREMULTIPLIED_ALPHA_BLENDING);
-        let fins = Pass {
-            source: include_str!("shaders/fins.wgsl"),
-            vertex: "fin_vertex",
-            fragment: "fin_fragment",
-            buffers: 0,
-            primitive: PrimitiveState { topology: PrimitiveTopology::TriangleStrip, ..PrimitiveState::default() },
-            write_depth: false,
-            blend,
-        };
-        let shells = Pass {
-            source: include_str!("shaders/shells.wgsl"),
-            vertex: "shell_vertex",
-            fragment: match variant.depth {
-                Depth::Written => "shell_tested",
-                Depth::Tested => "shell_blended",
-                Depth::Coverage => "shell_covering",
-            },
-            buffers: 2,
-            primitive: PrimitiveState { cull_mode: Some(Face::Back), ..PrimitiveState::default() },
-            write_depth: variant.depth != Depth::Tested,
-            // A sample that is drawn is replaced.
-            blend: blend.filter(|_| variant.depth != Depth::Coverage),
+        let mut of = |drawing: Drawing| {
+            made.entry((drawing, variant)).or_insert_with(|| self.pipeline(device, &drawing.pass(&variant), variant)).clone()
         };
         PassPipelines {
-            surface: self.pipeline(device, &surface, variant),
-            fins: (!variant.instanced).then(|| self.pipeline(device, &fins, variant)),
-            shells: self.pipeline(device, &shells, variant),
+            surface: shown.surface.then(|| of(Drawing::Surface)),
+            fins: shown.fins.then(|| of(Drawing::Fins)),
+            shells: shown.shells.then(|| of(Drawing::Shells)),
         }
     }
 
-    fn pipeline(&self, device: &Device, pass: &Pass<'_>, variant: Variant) -> RenderPipeline {
+    fn pipeline(&self, device: &Device, pass: &Pass, variant: Variant) -> RenderPipeline {
         let module = self.module(device, pass, variant);
         shell_buffers(|buffers| {
             device.create_render_pipeline(&RenderPipelineDescriptor {
@@ -267,7 +240,7 @@ impl Pipelines {
         &self.layout
     }
 
-    fn module(&self, device: &Device, pass: &Pass<'_>, variant: Variant) -> ShaderModule {
+    fn module(&self, device: &Device, pass: &Pass, variant: Variant) -> ShaderModule {
         device.create_shader_module(ShaderModuleDescriptor {
             label: Some(pass.vertex),
             source: ShaderSource::Wgsl(variant.source(pass.source, self.target.samples).into()),
@@ -275,11 +248,52 @@ impl Pipelines {
     }
 }
 
+impl Drawing {
+    fn pass(self, variant: &Variant) -> Pass {
+        let blend = Some(BlendState::PREMULTIPLIED_ALPHA_BLENDING);
+        match self {
+            Self::Surface => Pass {
+                source: include_str!("shaders/surface.wgsl"),
+                vertex: "surface_vertex",
+                fragment: "surface_fragment",
+                buffers: if variant.instanced { 2 } else { 1 },
+                // Where an open surface shows its back, it is skin all the same.
+                primitive: PrimitiveState::default(),
+                write_depth: true,
+                blend: None,
+            },
+            Self::Fins => Pass {
+                source: include_str!("shaders/fins.wgsl"),
+                vertex: "fin_vertex",
+                fragment: "fin_fragment",
+                buffers: 0,
+                primitive: PrimitiveState { topology: PrimitiveTopology::TriangleStrip, ..PrimitiveState::default() },
+                write_depth: false,
+                blend,
+            },
+            Self::Shells => Pass {
+                source: include_str!("shaders/shells.wgsl"),
+                vertex: "shell_vertex",
+                fragment: match variant.depth {
+                    Depth::Written => "shell_tested",
+                    Depth::Tested => "shell_blended",
+                    Depth::Coverage => "shell_covering",
+                },
+                buffers: 2,
+                primitive: PrimitiveState { cull_mode: Some(Face::Back), ..PrimitiveState::default() },
+                write_depth: variant.depth != Depth::Tested,
+                // A sample that is drawn is replaced.
+                blend: blend.filter(|_| variant.depth != Depth::Coverage),
+            },
+        }
+    }
+}
+
 /// What differs between the passes.
-struct Pass<'a> {
-    source: &'a str,
-    vertex: &'a str,
-    fragment: &'a str,
+struct Pass {
+    source: &'static str,
+    vertex: &'static str,
+    fragment: &'static str,
     /// Vertex buffers: patch vertices, then which shell, of a crowd also which place.
     buffers: usize,
     primitive: PrimitiveState,

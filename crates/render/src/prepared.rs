@@ -4,6 +4,7 @@ use std::ops::Range;
 
 use wgpu::{CommandEncoder, ComputePass, Device, IndexFormat, Queue, RenderPass};
 
+use crate::fragments::Part;
 use crate::frame::Frame;
 use crate::frame_groups::FrameBuffers;
 use crate::furred_faces::last_run;
@@ -50,10 +51,26 @@ impl PreparedView {
         self.picks.set(queue, self.frame.shown.fin_segments, &self.draws);
     }
 
+    /// Whether there is anything to compute ahead of the drawing.
+    pub(crate) fn picks(&self) -> bool {
+        let shown = self.frame.shown;
+        shown.fins || shown.shells && shown.culling
+    }
+
     /// Records what is computed ahead of the drawing.
     pub(crate) fn record(&self, pass: &mut ComputePass<'_>, shared: &Shared) {
         let shown = self.frame.shown;
         self.picks.record(pass, shared, shown.fins, shown.shells && shown.culling);
+    }
+
+    /// What is drawn, in its order; the surface always, since where there is no skin there is the background.
+    pub(crate) fn parts(&self) -> impl Iterator<Item = Part> {
+        let shown = self.frame.shown;
+        Part::ALL.into_iter().filter(move |part| match part {
+            Part::Surface => true,
+            Part::Fins => shown.fins,
+            Part::Shells => shown.shells,
+        })
     }
 
     /// Records the picking of faces anew, by what hides them.
@@ -86,23 +103,19 @@ impl PreparedView {
     }
 
     pub(crate) fn draw_surface(&self, pass: &mut RenderPass<'_>) {
-        if self.frame.shown.surface {
-            self.frame.draw_surface(pass, None, 0..1);
-        }
+        self.frame.draw_surface(pass, None, 0..1);
     }
 
     pub(crate) fn draw_fins(&self, pass: &mut RenderPass<'_>) {
-        let Some(pipeline) = self.frame.pipelines.fins.as_ref().filter(|_| self.frame.shown.fins) else { return };
+        let Some(pipeline) = &self.frame.pipelines.fins else { return };
         self.frame.begin(pass, pipeline);
         pass.draw_indirect(&self.picks.fins.draws, 0);
     }
 
     pub(crate) fn draw_shells(&self, pass: &mut RenderPass<'_>) {
         let (frame, coat) = (&self.frame, &self.frame.coat);
-        if !frame.shown.shells {
-            return;
-        }
-        frame.begin_tiles(pass, &frame.pipelines.shells);
+        let Some(pipeline) = &frame.pipelines.shells else { return };
+        frame.begin_tiles(pass, pipeline);
         let culling = frame.shown.culling;
         let faces = if culling { &self.picks.faces.survivors } else { &coat.furred_faces };
         pass.set_index_buffer(faces.slice(..), IndexFormat::Uint32);

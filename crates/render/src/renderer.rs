@@ -87,7 +87,7 @@ impl Renderer {
     }
 
     pub(crate) fn compute_timed(&self, encoder: &mut CommandEncoder, view: &PreparedView, times: Option<ComputePassTimestampWrites<'_>>) {
-        {
+        if view.picks() {
             let mut pass = encoder.begin_compute_pass(&ComputePassDescriptor { label: Some("pelage"), timestamp_writes: times });
             view.record(&mut pass, &self.shared);
         }

@@ -1,5 +1,7 @@
 //! Picking what is drawn, on the device: the faces that can be seen (K18) and the edges with a fin (L11, N1), packed in their order.
 
+use std::sync::OnceLock;
+
 use bytemuck::{Pod, Zeroable};
 use wgpu::{
     BindGroup, BindGroupLayout, BindGroupLayoutDescriptor, Buffer, BufferUsages, ComputePass, ComputePipeline, Device, Queue, ShaderStages,
@@ -23,20 +25,27 @@ pub(crate) enum Kind {
     Fins,
 }
 
-/// The compute pipelines for both kinds.
+/// The compute pipelines for both kinds, each made when something is first picked with it.
 #[derive(Debug)]
 pub(crate) struct Selectors {
+    device: Device,
+    reversed_depth: bool,
     scene_layout: BindGroupLayout,
     pick_layout: BindGroupLayout,
     pack_layout: BindGroupLayout,
-    sum: ComputePipeline,
-    faces: [ComputePipeline; 2],
+    sum: OnceLock<ComputePipeline>,
+    faces: OnceLock<ComputePipeline>,
     /// Picks faces by what hides them, too.
-    unhidden: ComputePipeline,
-    fins: [ComputePipeline; 2],
+    unhidden: OnceLock<ComputePipeline>,
+    fins: OnceLock<ComputePipeline>,
+    pack_faces: OnceLock<ComputePipeline>,
+    pack_fins: OnceLock<ComputePipeline>,
     /// Bound where nothing hides anything.
     no_pyramid: Buffer,
 }
+
+/// What all selections are compiled with.
+const SHARED: [&str; 2] = [include_str!("shaders/selection.wgsl"), include_str!("shaders/common.wgsl")];
 
 #[repr(C)]
 #[derive(Clone, Copy, Debug, Pod, Zeroable)]
@@ -56,25 +65,54 @@ impl Selectors {
         let scene_layout = layout("scene of a selection", &[uniform(), read, read, read, read, read]);
         let pick_layout = layout("picking", &[written, written, read, uniform()]);
         let pack_layout = layout("packing", &[read, written, read, read, written, written, uniform()]);
-        let shared = [include_str!("shaders/selection.wgsl"), include_str!("shaders/common.wgsl")];
-        let pick = |source, flags: &[&str]| {
-            let files = [shared[0], shared[1], source, include_str!("shaders/pick.wgsl")];
-            (assemble(&files, flags), "pick", vec![&scene_layout, &pick_layout])
-        };
-        let hidden: &[&str] = if target.reversed_depth { &["HIDDEN", "REVERSED"] } else { &["HIDDEN"] };
-        let faces = include_str!("shaders/select_faces.wgsl");
-        let pack = |flags: &[&str], name| (assemble(&[shared[0], include_str!("shaders/select.wgsl")], flags), name, vec![&pack_layout]);
-        let pipeline = |(source, name, layouts): (String, &str, Vec<&BindGroupLayout>)| compute_pipeline(device, source, name, &layouts);
         Self {
-            sum: pipeline(pack(&[], "sum_groups")),
-            faces: [pipeline(pick(faces, &[])), pipeline(pack(&["FACES"], "pack"))],
-            unhidden: pipeline(pick(faces, hidden)),
-            fins: [pipeline(pick(include_str!("shaders/select_fins.wgsl"), &[])), pipeline(pack(&[], "pack"))],
+            device: device.clone(),
+            reversed_depth: target.reversed_depth,
+            sum: OnceLock::new(),
+            faces: OnceLock::new(),
+            unhidden: OnceLock::new(),
+            fins: OnceLock::new(),
+            pack_faces: OnceLock::new(),
+            pack_fins: OnceLock::new(),
             no_pyramid: no_pyramid(device),
             scene_layout,
             pick_layout,
             pack_layout,
         }
+    }
+
+    /// Marks what is kept.
+    fn pick(&self, kind: Kind) -> &ComputePipeline {
+        match kind {
+            Kind::Faces => self.faces.get_or_init(|| self.picking(include_str!("shaders/select_faces.wgsl"), &[])),
+            Kind::Fins => self.fins.get_or_init(|| self.picking(include_str!("shaders/select_fins.wgsl"), &[])),
+        }
+    }
+
+    /// Marks faces that are kept and that nothing hides.
+    fn pick_unhidden(&self) -> &ComputePipeline {
+        let flags: &[&str] = if self.reversed_depth { &["HIDDEN", "REVERSED"] } else { &["HIDDEN"] };
+        self.unhidden.get_or_init(|| self.picking(include_str!("shaders/select_faces.wgsl"), flags))
+    }
+
+    fn sum(&self) -> &ComputePipeline {
+        self.sum.get_or_init(|| self.packing(&[], "sum_groups"))
+    }
+
+    fn pack(&self, kind: Kind) -> &ComputePipeline {
+        match kind {
+            Kind::Faces => self.pack_faces.get_or_init(|| self.packing(&["FACES"], "pack")),
+            Kind::Fins => self.pack_fins.get_or_init(|| self.packing(&[], "pack")),
+        }
+    }
+
+    fn picking(&self, source: &str, flags: &[&str]) -> ComputePipeline {
+        let files = [SHARED[0], SHARED[1], source, include_str!("shaders/pick.wgsl")];
+        compute_pipeline(&self.device, assemble(&files, flags), "pick", &[&self.scene_layout, &self.pick_layout])
+    }
+
+    fn packing(&self, flags: &[&str], entry: &str) -> ComputePipeline {
+        compute_pipeline(&self.device, assemble(&[SHARED[0], include_str!("shaders/select.wgsl")], flags), entry, &[&self.pack_layout])
     }
 }
 
@@ -128,13 +166,12 @@ impl Selection {
 
     /// Records the picking.
     pub(crate) fn record(&self, pass: &mut ComputePass<'_>, selectors: &Selectors) {
-        let [pick, _] = if self.kind == Kind::Faces { &selectors.faces } else { &selectors.fins };
-        self.record_with(pass, selectors, pick, &self.scene);
+        self.record_with(pass, selectors, Selectors::pick, &self.scene);
     }
 
     /// Records the picking of faces that nothing hides; `scene` is of [`Selection::scene_before`].
     pub(crate) fn record_unhidden(&self, pass: &mut ComputePass<'_>, selectors: &Selectors, scene: &BindGroup) {
-        self.record_with(pass, selectors, &selectors.unhidden, scene);
+        self.record_with(pass, selectors, |selectors, _| selectors.pick_unhidden(), scene);
     }
 
     /// What faces are picked from, behind what a pyramid shows.
@@ -142,19 +179,24 @@ impl Selection {
         scene(device, selectors, Kind::Faces, frame, coat, pyramid)
     }
 
-    fn record_with(&self, pass: &mut ComputePass<'_>, selectors: &Selectors, pick: &ComputePipeline, scene: &BindGroup) {
+    fn record_with(
+        &self,
+        pass: &mut ComputePass<'_>,
+        selectors: &Selectors,
+        pick: impl for<'s> Fn(&'s Selectors, Kind) -> &'s ComputePipeline,
+        scene: &BindGroup,
+    ) {
         if self.groups == 0 {
             return;
         }
-        let [_, pack] = if self.kind == Kind::Faces { &selectors.faces } else { &selectors.fins };
-        pass.set_pipeline(pick);
+        pass.set_pipeline(pick(selectors, self.kind));
         pass.set_bind_group(0, scene, &[]);
         pass.set_bind_group(1, &self.pick, &[]);
         pass.dispatch_workgroups(self.groups, 1, 1);
-        pass.set_pipeline(&selectors.sum);
+        pass.set_pipeline(selectors.sum());
         pass.set_bind_group(0, &self.pack, &[]);
         pass.dispatch_workgroups(1, 1, 1);
-        pass.set_pipeline(pack);
+        pass.set_pipeline(selectors.pack(self.kind));
         pass.set_bind_group(0, &self.pack, &[]);
         pass.dispatch_workgroups(self.groups, 1, 1);
     }

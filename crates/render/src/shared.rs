@@ -1,5 +1,7 @@
 //! What all views of a renderer share: pipelines, samplers, and what stands in where something is not asked for.
 
+use std::sync::OnceLock;
+
 use wgpu::{AddressMode, CompareFunction, Device, FilterMode, MipmapFilterMode, Queue, Sampler, SamplerDescriptor, TextureView};
 
 use crate::Target;
@@ -14,7 +16,8 @@ use crate::textures::no_table;
 pub(crate) struct Shared {
     pub(crate) pipelines: Pipelines,
     pub(crate) selectors: Selectors,
-    pub(crate) pyramids: PyramidBuilder,
+    target: Target,
+    pyramids: OnceLock<PyramidBuilder>,
     pub(crate) casters: CasterCache,
     /// Bound where no shadows are asked for.
     pub(crate) no_shadow: ShadowTargets,
@@ -29,7 +32,8 @@ impl Shared {
         Self {
             pipelines: Pipelines::new(device, target),
             selectors: Selectors::new(device, target),
-            pyramids: PyramidBuilder::new(device, target),
+            target,
+            pyramids: OnceLock::new(),
             casters: CasterCache::default(),
             no_shadow: ShadowTargets::new(device, 1),
             shadow_sampler: device.create_sampler(&SamplerDescriptor {
@@ -42,6 +46,11 @@ impl Shared {
             no_table: no_table(device, queue),
             table_sampler: sampler(device, "table", AddressMode::ClampToEdge, AddressMode::ClampToEdge, 1),
         }
+    }
+
+    /// What makes pyramids, once somebody asks what hides faces.
+    pub(crate) fn pyramids(&self, device: &Device) -> &PyramidBuilder {
+        self.pyramids.get_or_init(|| PyramidBuilder::new(device, self.target))
     }
 
     /// For the tile and for the fin, which is toroidal along the skin, not from tips to roots.

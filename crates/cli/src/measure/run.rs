@@ -110,7 +110,7 @@ impl Engine<'_> {
 
     fn draw(&mut self, plan: &Plan, index: usize, setting: &Setting) -> Result<(Arc<Picture>, Contender), Failure> {
         let frame = format!("{}.frame", plan.picture);
-        let request = Request::output(&plan.output).and_output(&frame).and_output(&setting.fur);
+        let request = Request::output(&plan.output).and_output(&frame).and_on_the_way(&setting.fur);
         let title = format!("{} of {}: {}", index + 1, self.total, setting.values.join(", "));
         let evaluation = self.run(&setting.graph, request, &title)?;
         Ok((evaluation.get(&plan.output)?, Contender::of(&evaluation, &setting.fur, &frame)?))
