@@ -233,7 +233,8 @@ fn a_direction_map_is_read_along_the_tiles_axes_and_the_hair() {
         let along = coat.surface.offsets[0].normalize();
         for direction in [Vec3::new(0.5, 0.1, 0.5), Vec3::new(-0.2, 0.6, 0.3), Vec3::new(0.0, 0.0, 0.9), Vec3::new(0.7, 0.0, 0.1)] {
             for toward in [Vec3::new(0.3, 0.5, 1.0), Vec3::new(-0.8, 0.3, 0.4)] {
-                let hair = s * direction.x + t * direction.y + along * direction.z;
+                // Laid along a hair that leans, it is as long as the map says.
+                let hair = (s * direction.x + t * direction.y + along * direction.z).normalize() * direction.length();
                 let view = front(LightingMode::Formula, light(toward), options);
                 let point = HairPoint { direction: hair.as_dvec3(), normal: DVec3::Z, height: 0.75 };
                 let toward_eye = (view.camera.eye - 0.75 * coat.surface.offsets[40]).as_dvec3().normalize();

@@ -15,8 +15,8 @@ struct ShellVertex {
     @location(12) cosines: vec3f,  // u, v, weight of the half vector
 #endif
 #if MAP
-    @location(5) light_in_tile: vec3f,  // L and H along the tile's axes
-    @location(6) half_in_tile: vec3f,
+    @location(5) light_in_tile: vec4f,  // L and H along the tile's axes, and the hair along s and t
+    @location(6) half_in_tile: vec4f,
 #endif
 #if MARCH
     @location(7) inward: vec3f,  // the view's way in, in tiles and heights
@@ -125,8 +125,8 @@ fn shell_vertex(
 #endif
 #if MAP
     let axes = mat3x3f(normalize(s), normalize(cross(v.normal, s)), along / max(length(along), 1e-20));
-    out.light_in_tile = toward_light * axes;
-    out.half_in_tile = half.xyz * axes;
+    out.light_in_tile = vec4f(toward_light * axes, dot(axes[0], axes[2]));
+    out.half_in_tile = vec4f(half.xyz * axes, dot(axes[1], axes[2]));
 #endif
 #if MARCH
     out.inward = in_tile(place - frame.eye.xyz, s, v.normal, along) / max(distance(place, frame.eye.xyz), 1e-20);
@@ -193,6 +193,15 @@ fn shaded(in: ShellVertex, tile: vec2f, place_among: u32) -> f32 {
 }
 #endif
 
+#if MAP
+// What scales a direction of the map, laid along axes of which the hair's, u, is not upright to the others, to the length that the map says: else hair that leans
+// the way it is combed would be longer than 1, and dark.
+fn laid_length(mapped: vec3f, lean: vec2f) -> f32 {
+    let squared = dot(mapped, mapped);
+    return sqrt(squared / max(squared + 2.0 * mapped.z * dot(mapped.xy, lean), 1e-3 * squared + 1e-12));
+}
+#endif
+
 #if SPLIT
 // How much of the first light a pixel sends on.
 fn first_response(in: ShellVertex, tile: vec2f, place_among: u32) -> vec3f {
@@ -201,7 +210,8 @@ fn first_response(in: ShellVertex, tile: vec2f, place_among: u32) -> vec3f {
     var cosines = in.cosines.xy;
 #if MAP
     let mapped = mapped_direction(tile, shells[place_among].images, in.tile.z) * 2.0 - 1.0;
-    cosines = vec2f(dot(mapped, in.light_in_tile), dot(mapped, in.half_in_tile));
+    cosines = vec2f(dot(mapped, in.light_in_tile.xyz), dot(mapped, in.half_in_tile.xyz))
+        * laid_length(mapped, vec2f(in.light_in_tile.w, in.half_in_tile.w));
 #endif
     response = reflected(factors(cosines.x, cosines.y) * vec2f(1.0, in.cosines.z));
 #endif
