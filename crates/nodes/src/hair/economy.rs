@@ -36,8 +36,12 @@ impl Evaluate for LevelsOfDetail {
     }
 
     fn needs(wanted: &Wanted<'_>, _: &Params<'_>) -> Needs {
+        let needs = Needs::all();
+        if !wanted.part(LEVELS) {
+            return needs.parts("shells", finest(wanted));
+        }
         // The coarsest is all layers in one.
-        Needs::all().parts("shells", finest(wanted).chain(wanted.part(LEVELS).then_some(LAYERS)))
+        needs.parts("shells", finest(wanted).chain([LAYERS])).present(LAYERS)
     }
 }
 
