@@ -48,6 +48,9 @@ const NO_LEVELS: &[&str] = &[
     "small without levels, directions",
     "coat without levels, directions",
 ];
+/// Coarser levels come with the shells that they are made of.
+const LEVELS_ALONE: &[&str] =
+    &["sampled without directions", "levels without directions", "small without layers, directions", "coat without layers, directions"];
 const SKIN_AND_FINS: &[&str] = &[
     "sampled without layers, directions",
     "levels without layers, levels, directions",
@@ -72,7 +75,7 @@ const CASES: &[Case] = &[
         idle: &[],
         without: NO_DIRECTIONS,
     },
-    Case { output: "picture.image", set: &[("picture.lighting", "Pixels"), NO_SHELLS], idle: &[], without: NO_DIRECTIONS },
+    Case { output: "picture.image", set: &[("picture.lighting", "Pixels"), NO_SHELLS], idle: &[], without: LEVELS_ALONE },
     Case {
         output: "picture.image",
         set: &[NO_FINS],
@@ -80,8 +83,15 @@ const CASES: &[Case] = &[
         without: &["sampled without directions", "levels without directions", "small without directions", "coat without directions, fins"],
     },
     // The skin shows the hair that a coarser level lays on it, and fins go with the last shell.
-    Case { output: "picture.image", set: &[NO_SHELLS], idle: &[], without: NO_DIRECTIONS },
-    Case { output: "picture.image", set: &[("picture.detail", "Level(level: 1.4)"), NO_SHELLS], idle: &[], without: NO_DIRECTIONS },
+    Case { output: "picture.image", set: &[NO_SHELLS], idle: &[], without: LEVELS_ALONE },
+    Case { output: "picture.image", set: &[("picture.detail", "Level(level: 1.4)"), NO_SHELLS], idle: &[], without: LEVELS_ALONE },
+    // Where there are none, the skin alone is sampled.
+    Case {
+        output: "picture.image",
+        set: &[NO_SHELLS, ("coat.shells", "sampled.shells")],
+        idle: &[],
+        without: &["sampled without layers, directions", "coat without layers, directions"],
+    },
     Case { output: "picture.image", set: &[FINEST], idle: &[], without: NO_LEVELS },
     Case { output: "picture.image", set: &[("picture.detail", "Spacing(pixels: 0.0)")], idle: &[], without: NO_LEVELS },
     Case { output: "picture.image", set: &[("picture.march_steps", "2")], idle: &[], without: NO_LEVELS },
@@ -115,7 +125,7 @@ const CASES: &[Case] = &[
             "sampled without directions",
             "levels without levels, directions",
             "small without levels, directions",
-            "coat without skin, layers, levels, directions",
+            "coat without skin, levels, directions",
         ],
     },
     Case {

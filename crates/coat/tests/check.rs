@@ -40,6 +40,13 @@ fn a_whole_coat_passes() {
 }
 
 #[test]
+fn a_coat_without_textures_passes() {
+    let bare = Coat { shells: Arc::new(ShellTexture::bare()), fin: None, edges: FinEdges::default(), ..coat() };
+    assert_eq!(bare.check(), Ok(()));
+    assert_eq!((bare.shells.layers(), &bare.shells.mips[0].texels[..]), (1, &[255; 4][..]));
+}
+
+#[test]
 fn an_empty_coat_passes() {
     let empty = Coat { surface: Surface::default(), patches: PatchMesh::default(), edges: FinEdges::default(), fin: None, ..coat() };
     assert_eq!(empty.check(), Ok(()));

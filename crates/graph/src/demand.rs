@@ -13,7 +13,7 @@ use crate::node::{Fields, Params};
 pub(crate) struct Demand {
     /// What is asked for.
     asked: PartSet,
-    /// What of it there is.
+    /// What of it is made, with what comes along.
     pub(crate) made: PartSet,
     /// What there is and nobody asks for.
     pub(crate) left_out: PartSet,
@@ -55,8 +55,8 @@ impl Demand {
     fn new(node: &CheckedNode, known: &Fields<'_>, port: usize, asked: PartSet) -> Self {
         let output = &node.kind.specification.outputs[port];
         let needs = (node.kind.needs)(&Wanted { output, parts: &asked }, &Params { fields: known });
-        let present = needs.present(output);
-        Self { made: &asked & &present, left_out: &present - &asked, asked, needs }
+        let (made, left_out) = needs.made_of(output, &asked);
+        Self { asked, made, left_out, needs }
     }
 
     /// What a field is read for; parameters and inputs that the node cannot do without always are.

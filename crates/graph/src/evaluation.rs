@@ -126,9 +126,9 @@ pub struct TraceEntry {
 pub struct PortParts {
     /// The output.
     pub port: String,
-    /// The parts that were made, as somebody wants them, in the order in which the output declares them.
+    /// The parts that were made, as somebody wants them or as they come along with those, in the order in which the output declares them.
     pub made: Vec<Part>,
-    /// Those that nobody wants.
+    /// The others that there would be.
     pub left_out: Vec<Part>,
 }
 

@@ -52,6 +52,7 @@ pub struct Needs {
     /// Inputs that are not needed, or not whole.
     inputs: Vec<(&'static str, Reading)>,
     absent: Vec<Part>,
+    present: Vec<Part>,
 }
 
 /// What is read of an input.
@@ -88,6 +89,13 @@ impl Needs {
         self
     }
 
+    /// The output has this part, as it comes with others that are wanted: wanted or not itself, the value is the same, and so is its key.
+    #[must_use]
+    pub fn present(mut self, part: Part) -> Self {
+        self.present.push(part);
+        self
+    }
+
     fn reading(mut self, input: &'static str, reading: Reading) -> Self {
         self.inputs.retain(|(other, _)| *other != input);
         self.inputs.push((input, reading));
@@ -104,9 +112,11 @@ impl Needs {
         self.inputs.iter().map(|(input, reading)| (*input, reading))
     }
 
-    /// The parts of an output that are there.
-    pub(crate) fn present(&self, output: &OutputSpec) -> PartSet {
-        (0..output.parts.len()).filter(|&place| !self.absent.contains(&output.parts[place])).collect()
+    /// Of an output the parts that are made where these are asked for, and those that there are besides.
+    pub(crate) fn made_of(&self, output: &OutputSpec, asked: &PartSet) -> (PartSet, PartSet) {
+        let among = |parts: &[Part], place: usize| parts.contains(&output.parts[place]);
+        let there = (0..output.parts.len()).filter(|&place| !among(&self.absent, place));
+        there.partition(|place| asked.contains(place) || among(&self.present, *place))
     }
 }
 

@@ -85,6 +85,9 @@ struct Halve {
     /// The number.
     #[param(default = 8.0, range = -1000.0..=1000.0, unit = "1", effect = "is the sum")]
     value: f64,
+    /// Whether the right comes with the left.
+    #[param(default = false)]
+    joined: bool,
 }
 
 impl Evaluate for Halve {
@@ -92,6 +95,11 @@ impl Evaluate for Halve {
         note(cx);
         let side = |part| cx.wants_part("sides", part).then_some(0.5 * self.value);
         Ok(Sides { left: side(LEFT), right: side(RIGHT) }.into())
+    }
+
+    fn needs(wanted: &Wanted<'_>, params: &Params<'_>) -> Needs {
+        let joined = params.get::<bool>("joined").unwrap_or(true);
+        if joined && wanted.part(LEFT) { Needs::all().present(RIGHT) } else { Needs::all() }
     }
 }
 
@@ -300,6 +308,20 @@ fn a_part_that_there_is_not_makes_no_difference() {
     ran(&evaluator);
     let whole = run(&mut evaluator, &text, &Request::output("both.sides"));
     assert_eq!((key(&few, "both"), ran(&evaluator)), (key(&whole, "both"), vec![]));
+}
+
+#[test]
+fn a_part_that_comes_along_makes_no_difference() {
+    let text = GRAPH.replace("Gather(left: \"l.value\", right: \"r.value\")", "Halve(joined: true)");
+    let mut evaluator = counting();
+    let few = run(&mut evaluator, &text, &Request::output("lefts.sum").and_on_the_way("both.sides"));
+    assert_eq!(parts(&few, "both"), (vec!["left", "right"], vec![]));
+    assert_eq!(few.get::<Sides>("both.sides").unwrap().right, Some(4.0));
+    ran(&evaluator);
+    let whole = run(&mut evaluator, &text, &Request::output("both.sides"));
+    assert_eq!((key(&few, "both"), ran(&evaluator)), (key(&whole, "both"), vec![]));
+    // By itself it is made by itself.
+    assert_eq!(parts(&run(&mut evaluator, &text, &Request::output("rights.sum")), "both"), (vec!["right"], vec!["left"]));
 }
 
 #[test]

@@ -28,12 +28,10 @@ impl Drawn {
 /// The parts of the coat that the picture depends on.
 pub(crate) fn drawn_parts(params: &Params<'_>) -> Vec<Part> {
     let drawn = Drawn::of(params);
-    let levels = reads_levels(params, &drawn);
     let parts = [
         (SKIN, drawn.surface),
-        // Of which the coarser levels are made.
-        (LAYERS, drawn.shells || drawn.casts || levels),
-        (LEVELS, levels),
+        (LAYERS, drawn.shells || drawn.casts),
+        (LEVELS, reads_levels(params, &drawn)),
         (DIRECTIONS, drawn.shells && reads_directions(params)),
         (FINS, drawn.fins),
         (LOOKS, true),

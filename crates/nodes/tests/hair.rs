@@ -6,7 +6,7 @@ use std::error::Error;
 use std::path::Path;
 use std::sync::Arc;
 
-use pelage_coat::{Encoding, FinTexture, ShellTexture};
+use pelage_coat::{Encoding, FinTexture, MipImage, ShellLayer, ShellTexture};
 use pelage_graph::{Evaluator, Graph, Request};
 use pelage_nodes::OneLayerReport;
 
@@ -53,6 +53,38 @@ fn every_texture_on_the_way_is_whole() {
     // Levels of blocks are made from what the blocks decode to.
     assert_eq!(shells(CHAIN, "again.shells").encoding, Encoding::Rgba8);
     assert!(shells(CHAIN, "leaning.shells").directions.is_some() && shells(CHAIN, "upright.shells").directions.is_none());
+}
+
+/// The innermost shell, and its image at every size.
+fn skin(texture: &ShellTexture) -> (Encoding, ShellLayer, Vec<Vec<u8>>) {
+    let shell = texture.levels[0][0];
+    let image = |mip: &MipImage| {
+        let size = texture.encoding.bytes(mip.width, mip.height);
+        mip.texels[shell.image as usize * size..][..size].to_vec()
+    };
+    (texture.encoding, ShellLayer { image: 0, ..shell }, texture.mips.iter().map(image).collect())
+}
+
+#[test]
+fn the_skin_is_the_same_with_no_shells_above_it() {
+    const CHAIN: &str = r#"
+        "more": ShareImages(shells: "leaning.shells", count: 20, spacing: Power(power: 1.5)),
+        "far": LevelsOfDetail(shells: "more.shells"),
+        "small": CompressShells(shells: "far.shells"),
+        "back": CompressShells(shells: "far.shells", form: Texels),
+        "again": LevelsOfDetail(shells: "small.shells"),
+        "one": OneLayer(shells: "again.shells", tolerance: 1.0),
+    "#;
+    let checked = Graph::parse(&format!("Graph(version: 1, nodes: {{{HAIR}{CHAIN}}})")).unwrap().check(&pelage_nodes::registry()).unwrap();
+    for (node, layers) in [("leaning", 1), ("more", 1), ("far", 1), ("small", 1), ("back", 1), ("again", 1), ("one", 20)] {
+        let output = format!("{node}.shells");
+        let get = |request: &Request| Evaluator::new(1 << 28).run(&checked, request).unwrap().get::<ShellTexture>(&output).unwrap();
+        // Nobody is on whose way it would be, so that no part is wanted.
+        let (whole, alone) = (get(&Request::output(&output)), get(&Request::output("wavy.strands").and_on_the_way(&output)));
+        assert_eq!((alone.check(), alone.layers()), (Ok(()), layers), "{node}");
+        assert!(skin(&alone) == skin(&whole), "{node}");
+        assert!(whole.directions.is_some() && alone.directions.is_none(), "{node}");
+    }
 }
 
 #[test]

@@ -61,6 +61,24 @@ fn one_layer_and_no_fin_is_skin() {
 }
 
 #[test]
+fn a_coat_without_what_nobody_needs_draws_the_rest() {
+    // Everything is asked for, and there is neither hair nor fin to show.
+    let options =
+        Options { shadows: Some(ShadowOptions { side: 64 }), lighting: LightingMode::Formula, hidden: true, ..Options::default() };
+    let mut bare = ball();
+    (bare.shells, bare.fin, bare.edges) = (Arc::new(ShellTexture::bare()), None, FinEdges::default());
+    let seen = picture(&bare, &view(options));
+    assert_eq!((seen.frame.shells_drawn, seen.frame.fins_considered), (0, 0));
+    assert!(seen.coverage.contains(&255));
+    // Only what was drawn has a time.
+    if let Some(passes) = seen.frame.passes {
+        assert_eq!([passes.compute, passes.surface, passes.fins, passes.shells].map(|pass| pass.is_some()), [false, true, false, false]);
+    }
+    let whole = picture(&ball(), &view(options)).frame.passes;
+    assert!(whole.is_none_or(|whole| [whole.compute, whole.surface, whole.fins, whole.shells].iter().all(Option::is_some)));
+}
+
+#[test]
 fn cameras_in_and_about_the_fur_draw() {
     let on_skin = 0.289 * Vec3::Z;
     for eye in [Vec3::ZERO, on_skin, 1.05 * on_skin, 100.0 * Vec3::Z, Vec3::new(0.0, 3.0, 0.0)] {

@@ -3,7 +3,7 @@
 #![allow(clippy::unwrap_used, reason = "a test that cannot go on fails")]
 
 use pelage_strand::{GrowSettings, StrandTile, Style, Undercoat, grow};
-use pelage_volume::{MipRule, ShellSettings, VolumeError, sample_shells, srgb_to_linear};
+use pelage_volume::{Image, MipRule, ShellSettings, Spacing, VolumeError, sample_shells, sample_skin, srgb_to_linear};
 use proptest::prelude::*;
 
 fn bare() -> Undercoat {
@@ -24,6 +24,20 @@ fn levels_halve_down_to_one_texel_and_bytes_add_up() {
     // 16 × 4 bytes × (128² + 64² + … + 1).
     assert_eq!(stack.byte_size(), 16 * 4 * 21845);
     assert_eq!(stack.level_bytes().iter().sum::<usize>(), stack.byte_size());
+}
+
+#[test]
+fn the_skin_alone_is_that_of_the_whole() {
+    for layers in [1, 2, 9] {
+        let settings =
+            ShellSettings { layers, resolution: 32, directions: Some(0.7), spacing: Spacing::Power(2.0), ..ShellSettings::default() };
+        let (whole, skin) = (sample_shells(&coat(), &settings).unwrap(), sample_skin(&coat(), &settings).unwrap());
+        assert_eq!((skin.images(), &skin.levels[0][..]), (1, &whole.levels[0][..1]));
+        let first =
+            |mips: &[Image]| mips.iter().map(|mip| mip.texels[..4 * (mip.width * mip.height) as usize].to_vec()).collect::<Vec<_>>();
+        assert!(first(&skin.mips) == first(&whole.mips), "{layers} layers");
+        assert!(skin.directions.as_deref().map(first) == whole.directions.as_deref().map(first), "{layers} layers");
+    }
 }
 
 #[test]

@@ -112,7 +112,7 @@ impl Evaluate for LayFur {
 
     fn needs(wanted: &Wanted<'_>, params: &Params<'_>) -> Needs {
         let shells = shell_parts(wanted, params);
-        let mut needs = Needs::all().parts("shells", shells.iter().copied());
+        let mut needs = shells.iter().fold(Needs::all().parts("shells", shells.iter().copied()), |needs, &part| needs.present(part));
         if shells.is_empty() && !wanted.part(SKIN) {
             needs = needs.without("shells");
         }

@@ -27,15 +27,21 @@ pub struct LevelsOfDetail {
 
 impl Evaluate for LevelsOfDetail {
     fn evaluate(&self, cx: &mut Context<'_>) -> Result<Self::Outputs, NodeError> {
-        if !cx.wants_part("shells", LEVELS) {
-            return Ok(Arc::clone(&self.shells).into());
+        match (cx.wants_part("shells", LEVELS), self.shells.encoding) {
+            (true, _) => Ok(shell_texture(shell_stack(&self.shells)?.with_levels()?).into()),
+            // Blocks are decoded, as they are with levels.
+            (false, Encoding::Bc3) => Ok(shell_texture(shell_stack(&self.shells)?).into()),
+            (false, Encoding::Rgba8) => Ok(Arc::clone(&self.shells).into()),
         }
-        Ok(shell_texture(shell_stack(&self.shells)?.with_levels()?).into())
     }
 
     fn needs(wanted: &Wanted<'_>, _: &Params<'_>) -> Needs {
+        let needs = Needs::all();
+        if !wanted.part(LEVELS) {
+            return needs.parts("shells", finest(wanted));
+        }
         // The coarsest is all layers in one.
-        Needs::all().parts("shells", finest(wanted).chain(wanted.part(LEVELS).then_some(LAYERS)))
+        needs.parts("shells", finest(wanted).chain([LAYERS])).present(LAYERS)
     }
 }
 
@@ -119,12 +125,7 @@ pub struct OneLayer {
 }
 
 impl Evaluate for OneLayer {
-    fn evaluate(&self, cx: &mut Context<'_>) -> Result<Self::Outputs, NodeError> {
-        let asks = [LAYERS, LEVELS].iter().any(|&part| cx.wants_part("shells", part)) || cx.wants("report");
-        if !asks {
-            // The skin is the same, whatever is above it.
-            return Ok(OneLayerOutputs { shells: Some(Arc::clone(&self.shells)), report: None });
-        }
+    fn evaluate(&self, _: &mut Context<'_>) -> Result<Self::Outputs, NodeError> {
         let stack = shell_stack(&self.shells)?;
         let fit = OneLayerFit::of(&stack)?;
         let kept = fit.unlikeness <= self.tolerance;
@@ -148,8 +149,8 @@ impl Evaluate for OneLayer {
     }
 
     fn needs(wanted: &Wanted<'_>, _: &Params<'_>) -> Needs {
-        let looked_at = wanted.output() == "report" || wanted.part(LEVELS);
-        Needs::all().parts("shells", wanted.parts().chain(looked_at.then_some(LAYERS)))
+        // By the layers it decides what it hands on.
+        Needs::all().parts("shells", wanted.parts().chain([LAYERS]))
     }
 }
 
