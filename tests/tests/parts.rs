@@ -251,7 +251,7 @@ fn figures_are_of_what_there_is() -> Result<(), Error> {
     assert!(all.figure("/nodes/hair/parts").is_none());
     let bald = figures(&[NO_SHELLS, NO_FINS, FINEST, ("picture.repeat", "1")])?;
     assert_eq!(names(&bald, "/nodes/coat/parts/fur/made"), ["skin", "looks"]);
-    let number = |stats: &Stats, pointer: &str| stats.figure(pointer).and_then(|value| value.as_u64());
+    let number = |stats: &Stats, pointer: &str| stats.figure(pointer)?.as_u64();
     assert_eq!((number(&bald, "/textures/fin_bytes"), number(&bald, "/textures/layers")), (Some(0), Some(1)));
     // Where the device has timestamps, each pass is named that there is.
     if !names(&all, "/frame/pass_ms").is_empty() {

@@ -93,8 +93,9 @@ struct Halve {
 impl Evaluate for Halve {
     fn evaluate(&self, cx: &mut Context<'_>) -> Result<Self::Outputs, NodeError> {
         note(cx);
-        let side = |part| cx.wants_part("sides", part).then_some(0.5 * self.value);
-        Ok(Sides { left: side(LEFT), right: side(RIGHT) }.into())
+        let [left, right] = [LEFT, RIGHT].map(|part| cx.wants_part("sides", part));
+        let side = |made: bool| made.then_some(0.5 * self.value);
+        Ok(Sides { left: side(left), right: side(right || self.joined && left) }.into())
     }
 
     fn needs(wanted: &Wanted<'_>, params: &Params<'_>) -> Needs {

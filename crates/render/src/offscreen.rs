@@ -268,6 +268,7 @@ impl TimedFrame<'_> {
 }
 
 /// What is found out about a frame while it is drawn.
+#[derive(Clone, Copy)]
 struct Measures<'a> {
     timer: Option<&'a PassTimer>,
     counter: Option<&'a FragmentCounter>,

@@ -103,7 +103,7 @@ impl Bench<'_> {
         let drawn = |((finish, fur), (times, pixels, view)): ((Finish, &Fur), &(f32, &'static str, View))| Far {
             shells: fur.view.shell_count(),
             level: fur.view.level(),
-            compute: self.passes(coat, view, 1).compute,
+            compute: self.passes(coat, view, 1).compute.unwrap_or_default(),
             ..Far::of(model, *times, pixels, &finish)
         };
         let mut measured: Vec<Far> = finishes.into_iter().zip(&furs).zip(&views).map(drawn).collect();

@@ -131,6 +131,7 @@ impl Bench<'_> {
         println!("\n{title}, {samples} samples a pixel");
         print(&self.race(stage, contenders, [1, 2]), ["of same draw", "of plain"]);
         let PassTimes { compute, surface, fins, shells } = self.passes(coat, &self.view, samples);
+        let [compute, surface, fins, shells] = [compute, surface, fins, shells].map(Option::unwrap_or_default);
         println!("ours, passes apart: compute {compute:.1} ms, surface {surface:.1}, fins {fins:.1}, shells {shells:.1}");
     }
 
