@@ -68,7 +68,7 @@ pub use field::{FieldError, direction_error, field_error};
 pub use flip::{DEFAULT_PIXELS_PER_DEGREE, ErrorMap, FlipReport, PIXELS_PER_DEGREE_RANGE, flip};
 pub use image::{Image, MAX_PIXELS};
 pub use mask::{dilate, union, unlike_background};
-pub use pareto::pareto_front;
+pub use pareto::{pareto_front, unbeaten};
 pub use percentile::percentile;
 pub use picture::{difference_picture, heat_picture};
 #[cfg(feature = "plot")]

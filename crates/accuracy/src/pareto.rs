@@ -17,6 +17,24 @@ pub fn pareto_front(points: &[(f64, f64)]) -> Vec<usize> {
     order
 }
 
+/// Which of some rows of numbers, less of each being better, no other row beats: none is as little or less in all of them and less in one. Of equal rows the first; a row with a number
+/// that is not finite is beaten by all. In order, in quadratic time.
+///
+/// ```
+/// // Milliseconds, bytes, error: the last is as slow and as large as the second and errs more.
+/// let settings = [[2.0, 8.0, 0.1], [1.0, 9.0, 0.2], [1.0, 9.0, 0.3]];
+/// assert_eq!(pelage_accuracy::unbeaten(&settings.map(Vec::from)), [0, 1]);
+/// ```
+pub fn unbeaten(rows: &[Vec<f64>]) -> Vec<usize> {
+    let finite = |row: &[f64]| row.iter().all(|number| number.is_finite());
+    let no_more = |a: &[f64], b: &[f64]| a.iter().zip(b).all(|(a, b)| a <= b);
+    let beats =
+        |(other, by): (usize, &Vec<f64>), index: usize| finite(by) && no_more(by, &rows[index]) && (by != &rows[index] || other < index);
+    (0..rows.len())
+        .filter(|&index| finite(&rows[index]) && !rows.iter().enumerate().any(|row| row.0 != index && beats(row, index)))
+        .collect()
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -31,6 +49,14 @@ mod tests {
     }
 
     proptest! {
+        #[test]
+        fn of_two_numbers_the_unbeaten_are_the_front(points in proptest::collection::vec((0u8..12, 0u8..12), 0..40)) {
+            let points: Vec<(f64, f64)> = points.into_iter().map(|(a, b)| (f64::from(a), f64::from(b))).collect();
+            let mut front = pareto_front(&points);
+            front.sort_unstable();
+            prop_assert_eq!(unbeaten(&points.iter().map(|&(a, b)| vec![a, b]).collect::<Vec<_>>()), front);
+        }
+
         #[test]
         fn every_point_is_on_the_front_or_beaten_by_one_that_is(points in proptest::collection::vec((0u8..12, 0u8..12), 0..40)) {
             let points: Vec<(f64, f64)> = points.into_iter().map(|(a, b)| (f64::from(a), f64::from(b))).collect();

@@ -2,7 +2,7 @@
 
 use serde_json::{Map, Value, json};
 
-use crate::{AccuracyError, pareto_front};
+use crate::{AccuracyError, pareto_front, unbeaten};
 
 /// What a column of numbers means.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -53,7 +53,8 @@ pub struct Sweep {
     pub columns: Vec<Column>,
     /// The settings, in the order in which they were tried.
     pub rows: Vec<Row>,
-    /// Pairs of names of columns, cost and error, whose fronts are of interest: each is one more column, `front_COST`, of 1 for what is on it and 0 for the others.
+    /// Pairs of names of columns, cost and error, whose fronts are of interest: each is one more column, `front_COST`, of 1 for what is on it and 0 for the others. Then `front`, that of all
+    /// of these costs and errors together: what it has, no other setting gives for as little of everything.
     pub fronts: Vec<(String, String)>,
     /// Names out of `varied` by which the rows fall into groups, as by the model that is drawn: only rows of one group compete. None: all do.
     pub grouped_by: Vec<String>,
@@ -157,6 +158,25 @@ impl Sweep {
         Ok(self.groups(&self.grouped_by)?.into_iter().flat_map(of_group).collect())
     }
 
+    /// The rows that no other of their group beats in all costs and errors of [`fronts`](Self::fronts) together, in their order: see [`unbeaten`].
+    ///
+    /// # Errors
+    ///
+    /// Those of [`check`](Self::check).
+    pub fn front_of_all(&self) -> Result<Vec<usize>, AccuracyError> {
+        self.check()?;
+        let columns =
+            self.fronts.iter().flat_map(|(cost, error)| [cost, error]).map(|name| self.column(name)).collect::<Result<Vec<usize>, _>>()?;
+        let numbers = |&row: &usize| columns.iter().map(|&column| self.rows[row].values[column]).collect();
+        let of_group = |group: Group| {
+            let own: Vec<Vec<f64>> = group.rows.iter().map(numbers).collect();
+            unbeaten(&own).into_iter().map(|index| group.rows[index]).collect::<Vec<usize>>()
+        };
+        let mut front: Vec<usize> = self.groups(&self.grouped_by)?.into_iter().flat_map(of_group).collect();
+        front.sort_unstable();
+        Ok(front)
+    }
+
     /// As CSV (RFC 4180, but lines end with a line feed alone): a line of names, and one for each row.
     ///
     /// # Errors
@@ -201,7 +221,9 @@ impl Sweep {
     /// The name of each column of fronts, and the rows on it.
     fn all_fronts(&self) -> Result<Vec<(String, Vec<usize>)>, AccuracyError> {
         self.check()?;
-        self.fronts.iter().map(|(cost, error)| Ok((format!("front_{cost}"), self.front(cost, error)?))).collect()
+        let own = self.fronts.iter().map(|(cost, error)| Ok((format!("front_{cost}"), self.front(cost, error)?)));
+        let together = if self.fronts.is_empty() { None } else { Some(self.front_of_all().map(|rows| ("front".to_owned(), rows))) };
+        own.chain(together).collect()
     }
 }
 
@@ -233,6 +255,22 @@ pub(crate) mod tests {
     }
 
     #[test]
+    fn what_is_beaten_in_each_cost_may_be_on_the_front_of_all() {
+        let mut sweep = sweep();
+        sweep.columns.push(Column::new("bytes", "bytes", 0));
+        // Cheap in fragments, cheap in bytes, a bit of both, and worse than that in everything.
+        for (row, values) in sweep.rows.iter_mut().zip([[100.0, 0.2, 900.0], [900.0, 0.2, 100.0], [300.0, 0.2, 300.0], [400.0, 0.3, 400.0]])
+        {
+            row.values = values.into();
+        }
+        sweep.fronts.push(("bytes".into(), "flip_mean".into()));
+        assert_eq!((sweep.front("fragments", "flip_mean").unwrap(), sweep.front("bytes", "flip_mean").unwrap()), (vec![0], vec![1]));
+        assert_eq!(sweep.front_of_all().unwrap(), [0, 1, 2]);
+        sweep.grouped_by = vec!["shells.layers".into()];
+        assert_eq!(sweep.front_of_all().unwrap(), [0, 1, 2, 3]);
+    }
+
+    #[test]
     fn rows_compete_within_their_group() {
         let mut grouped = sweep();
         grouped.rows[2].settings[1] = "Pixels".into();
@@ -250,9 +288,9 @@ pub(crate) mod tests {
     fn csv_quotes_what_has_to_be_and_says_what_is_on_the_front() {
         let csv = sweep().to_csv().unwrap();
         let lines: Vec<&str> = csv.lines().collect();
-        assert_eq!(lines[0], "shells.layers,picture.lighting,fragments,flip_mean,front_fragments");
-        assert_eq!(lines[1], r#"4,"Table(size: 4, of: ""x"")",100,0.500,1"#);
-        assert!(lines[2].ends_with(",300,0.125,1") && lines[3].ends_with(",400,0.250,0") && lines[4].ends_with(",800,,0"), "{csv}");
+        assert_eq!(lines[0], "shells.layers,picture.lighting,fragments,flip_mean,front_fragments,front");
+        assert_eq!(lines[1], r#"4,"Table(size: 4, of: ""x"")",100,0.500,1,1"#);
+        assert!(lines[2].ends_with(",300,0.125,1,1") && lines[3].ends_with(",400,0.250,0,0") && lines[4].ends_with(",800,,0,0"), "{csv}");
     }
 
     #[test]

@@ -15,7 +15,14 @@ type ByCase = BTreeMap<String, Vec<f64>>;
 fn measured(claim: &str, more: &[&str]) -> Value {
     let folder = tempfile::tempdir().unwrap();
     let sweep = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../graphs/sweeps").join(format!("claim-{claim}.ron"));
-    let small = ["hair.count=180", "hair.thickness=0.018", "hair.undercoat=(count: 250, thickness: 0.7, length: 0.5, colour: (0.584, 0.532, 0.473))", "hair.steps=16", "cat.faces=1500", "ring.cells=(32, 14)"];
+    let small = [
+        "hair.count=180",
+        "hair.thickness=0.018",
+        "hair.undercoat=(count: 250, thickness: 0.7, length: 0.5, colour: (0.584, 0.532, 0.473))",
+        "hair.steps=16",
+        "cat.faces=1500",
+        "ring.cells=(32, 14)",
+    ];
     let set = small.iter().chain(more).flat_map(|value| ["--set", value]);
     let output = Command::new(env!("CARGO_BIN_EXE_pelage"))
         .args(["measure", "--sweep", sweep.to_str().unwrap(), "--size", "96x72", "--rounds", "1", "-q", "-o", "out"])

@@ -65,7 +65,12 @@ fn main() -> Result<(), Box<dyn Error>> {
     draw(&host, &renderer, &opaque, &mut kinds, 0)?;
     let times = (1..=FRAMES).map(|frame| draw(&host, &renderer, &opaque, &mut kinds, frame)).collect::<Result<Vec<Times>, _>>()?;
     let of = |pick: fn(&Times) -> f64| median(times.iter().map(pick).collect());
-    println!("a frame: {:.1} ms to move the views, {:.1} to record, {:.1} to draw", of(|t| t.update), of(|t| t.record), of(|t| t.draw));
+    println!(
+        "a frame: {:.1} ms to move the views, {:.1} ms to record, {:.1} ms to draw",
+        of(|t| t.update),
+        of(|t| t.record),
+        of(|t| t.draw)
+    );
     let mut by_level = vec![0; 5];
     for kind in &kinds {
         by_level.iter_mut().zip(kind.crowd.seen_by_level()).for_each(|(sum, seen)| *sum += seen);

@@ -105,7 +105,7 @@ impl Sheet {
             heads.push(head.trim().to_owned());
         }
         let rows = self.rows.iter().map(|row| picks.iter().map(|&pick| shown(&row[pick])).collect());
-        Ok(markdown(heads, rows))
+        Ok(markdown(&heads, rows))
     }
 
     /// A row for each combination of the other inputs that vary, a column for each value of `input`.
@@ -127,14 +127,14 @@ impl Sheet {
             }
         }
         let heads = others.iter().map(|&other| self.heads[other].clone()).chain(values.iter().map(|value| shown(value)));
-        Ok(markdown(heads.collect(), lines.into_iter().map(|(key, cells)| [key, cells].concat())))
+        Ok(markdown(&heads.collect::<Vec<String>>(), lines.into_iter().map(|(key, cells)| [key, cells].concat())))
     }
 }
 
-fn markdown(heads: Vec<String>, rows: impl Iterator<Item = Vec<String>>) -> String {
+fn markdown(heads: &[String], rows: impl Iterator<Item = Vec<String>>) -> String {
     let line = |cells: &[String]| format!("| {} |\n", cells.join(" | "));
     let rule = format!("|{}\n", "---|".repeat(heads.len()));
-    line(&heads) + &rule + &rows.map(|row| line(&row)).collect::<String>()
+    line(heads) + &rule + &rows.map(|row| line(&row)).collect::<String>()
 }
 
 /// A cell as a page shows it: thousands apart, three places after the point, values of inputs as code.
