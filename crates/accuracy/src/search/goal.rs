@@ -15,7 +15,7 @@ pub enum Goal {
 }
 
 /// How much less than the best has to be expected of a setting to be worth a look.
-const WORTHWHILE: f64 = 0.95;
+const WORTHWHILE: f64 = 0.93;
 
 /// The share by which a setting may cost more or less than its neighbours let expect, whatever they say.
 const COST_JITTER: f64 = 0.01;
