@@ -41,7 +41,7 @@ impl Goal {
     }
 
     /// Of two that meet the goal the lesser is better; where they are even, the one that does better by what is limited.
-    pub(super) fn better(self, a: &Trial, b: &Trial) -> Ordering {
+    pub fn better(self, a: &Trial, b: &Trial) -> Ordering {
         match self {
             Self::WithinError(_) => by_cost(a, b).then(by_error(a, b)),
             Self::WithinCost(_) => by_error(a, b).then(by_cost(a, b)),
@@ -49,7 +49,7 @@ impl Goal {
     }
 
     /// Of two that do not meet it the lesser is nearer.
-    pub(super) fn nearer(self, a: &Trial, b: &Trial) -> Ordering {
+    pub fn nearer(self, a: &Trial, b: &Trial) -> Ordering {
         match self {
             Self::WithinError(_) => by_error(a, b).then(by_cost(a, b)),
             Self::WithinCost(_) => by_cost(a, b).then(by_error(a, b)),

@@ -10,9 +10,6 @@ use crate::failure::Failure;
 use crate::graph::{Overrides, with_files};
 use crate::render::{makes_pictures, node_of};
 
-/// The most settings in one sweep.
-const MOST_SETTINGS: usize = 1000;
-
 /// What is evaluated, in order.
 pub(crate) struct Plan {
     /// The node whose pictures are measured.
@@ -23,7 +20,9 @@ pub(crate) struct Plan {
     pub(crate) against: String,
     /// The inputs that vary.
     pub(crate) varied: Vec<String>,
-    /// Each combination of values.
+    /// The graph as it is, with none of them set.
+    pub(crate) start: Setting,
+    /// Each combination of values, the last input's changing first.
     pub(crate) settings: Vec<Setting>,
     /// What makes the picture that all are measured against; none if each setting has its own.
     pub(crate) finest: Option<CheckedGraph>,
@@ -58,11 +57,11 @@ impl Setter<'_> {
 }
 
 impl Plan {
-    /// Checks all there is to check: no setting is evaluated while another is wrong.
-    pub(crate) fn new(sweep: &Description, overrides: &Overrides, size: Option<(u32, u32)>) -> Result<Self, Failure> {
+    /// Checks all there is to check: no setting is evaluated while another is wrong. More settings than `most` are refused.
+    pub(crate) fn new(sweep: &Description, overrides: &Overrides, size: Option<(u32, u32)>, most: usize) -> Result<Self, Failure> {
         let registry = pelage_nodes::registry();
         let setter = Setter { registry: &registry, path: &sweep.graph, directory: &sweep.directory };
-        let values = combinations(sweep)?;
+        let values = combinations(sweep, most)?;
         let mut graph = overrides.read(&sweep.graph, &registry)?;
         setter.check(&graph)?;
         let output = output_of(sweep, &graph, &registry)?;
@@ -79,20 +78,24 @@ impl Plan {
         let mut graph = overrides.apply(graph, &sweep.graph, &registry)?;
         setter.set(&mut graph, &format!("{picture}.repeat"), "0")?;
         let varied: Vec<String> = sweep.vary.keys().cloned().collect();
+        let checked = |graph: &Graph, values| {
+            let finest = if sweep.each { Some(finest(&setter, sweep, graph.clone())?) } else { None };
+            let checked = setter.check(graph)?;
+            let fur = fur_of(graph, &registry, &picture)
+                .ok_or_else(|| Failure::Input(format!("{}: {picture} draws no fur", sweep.graph.display())))?;
+            Ok::<_, Failure>(Setting { values, graph: checked, fur, finest })
+        };
+        let start = checked(&graph, Vec::new())?;
         let mut settings = Vec::new();
         for values in values {
             let mut graph = graph.clone();
             for (target, value) in varied.iter().zip(&values) {
                 setter.set(&mut graph, target, value).map_err(in_vary)?;
             }
-            let finest = if sweep.each { Some(finest(&setter, sweep, graph.clone())?) } else { None };
-            let checked = setter.check(&graph)?;
-            let fur = fur_of(&graph, &registry, &picture)
-                .ok_or_else(|| Failure::Input(format!("{}: {picture} draws no fur", sweep.graph.display())))?;
-            settings.push(Setting { values, graph: checked, fur, finest });
+            settings.push(checked(&graph, values)?);
         }
         let finest = if sweep.each { None } else { Some(finest_of_all(&setter, sweep, graph)?) };
-        let plan = Self { picture, output, against, varied, settings, finest };
+        let plan = Self { picture, output, against, varied, start, settings, finest };
         plan.check_against(sweep)?;
         Ok(plan)
     }
@@ -136,14 +139,14 @@ fn finest_of_all(setter: &Setter<'_>, sweep: &Description, mut graph: Graph) -> 
 }
 
 /// Every combination of values, the last input's changing first.
-fn combinations(sweep: &Description) -> Result<Vec<Vec<String>>, Failure> {
+fn combinations(sweep: &Description, most: usize) -> Result<Vec<Vec<String>>, Failure> {
     if sweep.vary.is_empty() {
         return Err(Failure::Usage("nothing varies; give --vary NODE.INPUT=a,b,c".into()));
     }
     let count = sweep.vary.values().try_fold(1usize, |count, values| count.checked_mul(values.len())).unwrap_or(usize::MAX);
-    if count > MOST_SETTINGS {
+    if count > most {
         return Err(Failure::Usage(format!(
-            "{count} combinations are more than the {MOST_SETTINGS} of one sweep; vary fewer inputs at a time"
+            "{count} combinations are more than {most}; vary fewer inputs at a time, or give them fewer values"
         )));
     }
     if let Some((target, _)) = sweep.vary.iter().find(|(_, values)| values.is_empty()) {
@@ -159,7 +162,7 @@ fn combinations(sweep: &Description) -> Result<Vec<Vec<String>>, Failure> {
 }
 
 /// What is asked for, or the graph's own main output: one that is drawn.
-fn output_of(sweep: &Description, graph: &Graph, registry: &Registry) -> Result<String, Failure> {
+pub(crate) fn output_of(sweep: &Description, graph: &Graph, registry: &Registry) -> Result<String, Failure> {
     let about = sweep.graph.display();
     let output = sweep.output.clone().or_else(|| graph.output.clone());
     let Some(output) = output else {

@@ -130,7 +130,7 @@ fn about(description: &Description, plan: &Plan, measured: &Measured, rounds: u3
 }
 
 /// The least and the median of a setting's times, and the median of their ratios to the last setting's.
-fn times_of(rounds: &[Vec<f64>], index: usize) -> [f64; 3] {
+pub(crate) fn times_of(rounds: &[Vec<f64>], index: usize) -> [f64; 3] {
     let mut times: Vec<f64> = rounds.iter().map(|round| round[index]).collect();
     let mut ratios: Vec<f64> = rounds.iter().map(|round| round[index] / round[round.len() - 1]).collect();
     let median = |numbers: &mut [f64]| {

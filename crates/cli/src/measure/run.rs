@@ -38,21 +38,15 @@ pub(crate) struct MeasuredSetting {
 }
 
 pub(crate) fn measure(plan: &Plan, how: &How) -> Result<Measured, Failure> {
-    let mut evaluator = pelage_nodes::evaluator(CACHE_BYTES);
-    if let Some(threads) = how.threads {
-        evaluator = evaluator.threads(threads.into());
-    }
-    let mut engine = Engine { evaluator, how, total: plan.settings.len() };
-    let truth = |engine: &mut Engine<'_>, graph: &CheckedGraph| -> Result<Arc<Picture>, Failure> {
-        Ok(engine.run(graph, Request::output(&plan.against), "what is measured against")?.get::<Picture>(&plan.against)?)
-    };
-    let shared = plan.finest.as_ref().map(|graph| truth(&mut engine, graph)).transpose()?;
+    let mut engine = Engine::new(how);
+    let shared = plan.finest.as_ref().map(|graph| engine.truth(plan, graph)).transpose()?;
     let mut drawn = Vec::new();
     for (index, setting) in plan.settings.iter().enumerate() {
-        let own = setting.finest.as_ref().map(|graph| truth(&mut engine, graph)).transpose()?;
+        let own = setting.finest.as_ref().map(|graph| engine.truth(plan, graph)).transpose()?;
         let reference = own.or_else(|| shared.clone());
         let reference = reference.ok_or_else(|| Failure::Input(format!("{}: nothing to measure against", plan.output)))?;
-        let (picture, contender) = engine.draw(plan, index, setting)?;
+        let title = format!("{} of {}: {}", index + 1, plan.settings.len(), setting.values.join(", "));
+        let (picture, contender) = engine.draw(plan, setting, &title)?;
         drawn.push((picture, reference, contender));
     }
     let contenders: Vec<Contender> = drawn.iter().map(|(_, _, contender)| contender.clone()).collect();
@@ -67,19 +61,31 @@ pub(crate) fn measure(plan: &Plan, how: &How) -> Result<Measured, Failure> {
     Ok(Measured { settings, rounds, one_reference: shared.is_some() })
 }
 
-/// What evaluates.
-struct Engine<'a> {
+/// What evaluates: one cache for all, so that only what a setting changes is made again.
+pub(crate) struct Engine<'a> {
     evaluator: Evaluator,
     how: &'a How,
-    total: usize,
 }
 
-impl Engine<'_> {
-    fn draw(&mut self, plan: &Plan, index: usize, setting: &Setting) -> Result<(Arc<Picture>, Contender), Failure> {
+impl<'a> Engine<'a> {
+    pub(crate) fn new(how: &'a How) -> Self {
+        let mut evaluator = pelage_nodes::evaluator(CACHE_BYTES);
+        if let Some(threads) = how.threads {
+            evaluator = evaluator.threads(threads.into());
+        }
+        Self { evaluator, how }
+    }
+
+    /// The picture to measure against.
+    pub(crate) fn truth(&mut self, plan: &Plan, graph: &CheckedGraph) -> Result<Arc<Picture>, Failure> {
+        Ok(self.run(graph, Request::output(&plan.against), "what is measured against")?.get::<Picture>(&plan.against)?)
+    }
+
+    /// The picture of a setting, ready to be timed.
+    pub(crate) fn draw(&mut self, plan: &Plan, setting: &Setting, title: &str) -> Result<(Arc<Picture>, Contender), Failure> {
         let frame = format!("{}.frame", plan.picture);
         let request = Request::output(&plan.output).and_output(&frame).and_output(&setting.fur);
-        let title = format!("{} of {}: {}", index + 1, self.total, setting.values.join(", "));
-        let evaluation = self.run(&setting.graph, request, &title)?;
+        let evaluation = self.run(&setting.graph, request, title)?;
         Ok((evaluation.get(&plan.output)?, Contender::of(&evaluation, &setting.fur, &frame)?))
     }
 
