@@ -10,6 +10,7 @@
 //! - [`heat_picture`], [`difference_picture`]: where it is.
 //! - [`field_error`], [`direction_error`]: of what comes before a picture, numbers and directions at places.
 //! - [`Sweep`]: the settings of a program with what each costs and errs, as CSV, as JSON and (feature `plot`) as SVG; [`pareto_front`]: which of them are worth their cost.
+//! - [`search`]: the cheapest setting within an error, or the one that errs least within a cost, by few evaluations.
 //! - [`percentile`]: the nearest-rank percentile of any error values, so that other crates need not each invent one.
 //!
 //! # Convention
@@ -60,6 +61,7 @@ mod picture;
 #[cfg(feature = "plot")]
 mod plot;
 mod rmse;
+mod search;
 mod silhouette;
 mod sweep;
 
@@ -74,5 +76,6 @@ pub use picture::{difference_picture, heat_picture};
 #[cfg(feature = "plot")]
 pub use plot::Panel;
 pub use rmse::{linear_light, rmse_linear};
+pub use search::{Found, Goal, MAX_SETTINGS, SearchError, Trial, search};
 pub use silhouette::{ProfileBin, Silhouette, silhouette};
 pub use sweep::{Column, Group, Row, Sweep};

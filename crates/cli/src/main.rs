@@ -13,6 +13,7 @@ mod output;
 mod progress;
 mod render;
 mod survey;
+mod tune;
 
 use std::process::ExitCode;
 
@@ -38,6 +39,8 @@ enum Command {
     Inspect(inspect::Inspect),
     /// What settings of a graph cost and how far their pictures err: CSV, JSON, SVG and a contact sheet.
     Measure(measure::Measure),
+    /// The cheapest settings of a graph within an error, or those that err least within a cost, as a graph.
+    Tune(tune::Tune),
     /// The hair on the surface as curves, for other ray tracers.
     Curves(curves::Export),
     /// Table 1 of the paper: how fast each model of a folder is drawn, with half and with all layers.
@@ -52,6 +55,7 @@ fn main() -> ExitCode {
         Command::Nodes(command) => command.run(),
         Command::Inspect(command) => command.run(),
         Command::Measure(command) => command.run(),
+        Command::Tune(command) => command.run(),
         Command::Curves(command) => command.run(),
         Command::Survey(command) => command.run(),
     };

@@ -81,19 +81,25 @@ fn opened(path: &Path) -> std::io::Result<()> {
 
 /// A canonical value with each path in it joined to `directory`; absolute ones stay.
 pub(crate) fn resolved(ty: &ParamType, literal: &Literal, directory: &Path) -> Literal {
+    with_paths(ty, literal, &|path| directory.join(path).to_string_lossy().into_owned())
+}
+
+/// A value, canonical or as it is written, with another path in place of each.
+pub(crate) fn with_paths(ty: &ParamType, literal: &Literal, path: &dyn Fn(&str) -> String) -> Literal {
     let all = |types: &mut dyn Iterator<Item = &ParamType>, items: &[Literal]| {
-        items.iter().zip(types).map(|(item, ty)| resolved(ty, item, directory)).collect::<Vec<_>>()
+        items.iter().zip(types).map(|(item, ty)| with_paths(ty, item, path)).collect::<Vec<_>>()
     };
     let fields = |specs: &[ParamSpec], fields: &[(Name, Literal)]| {
         let one = |(name, value): &(Name, Literal)| {
-            let spec = specs.iter().find(|spec| spec.name == name.text);
-            (name.clone(), spec.map_or_else(|| value.clone(), |spec| resolved(&spec.ty, value, directory)))
+            let spec = specs.iter().find(|spec| spec.name == name.text || spec.was.contains(&name.text));
+            (name.clone(), spec.map_or_else(|| value.clone(), |spec| with_paths(&spec.ty, value, path)))
         };
         fields.iter().map(one).collect::<Vec<_>>()
     };
     let shape = match (ty, &literal.shape) {
-        (ParamType::File, Shape::Text(path)) => Shape::Text(directory.join(path).to_string_lossy().into_owned()),
-        (ParamType::Optional(ty), Shape::Present(inner)) => Shape::Present(Box::new(resolved(ty, inner, directory))),
+        (ParamType::File, Shape::Text(text)) => Shape::Text(path(text)),
+        (ParamType::Optional(ty), Shape::Present(inner)) => Shape::Present(Box::new(with_paths(ty, inner, path))),
+        (ParamType::Optional(ty), _) => return with_paths(ty, literal, path),
         (ParamType::Tuple(types), Shape::Tuple(items)) => Shape::Tuple(all(&mut types.iter(), items)),
         (ParamType::List(ty), Shape::List(items)) => Shape::List(all(&mut std::iter::repeat(&**ty), items)),
         (ParamType::Record(record), Shape::Record(name, given)) => Shape::Record(name.clone(), fields(&record.fields, given)),

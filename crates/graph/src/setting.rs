@@ -8,6 +8,7 @@ use crate::fault::{Fault, FaultKind, nearest};
 use crate::files::{holds_files, resolved};
 use crate::graph::{Graph, NodeId};
 use crate::literal::{Literal, Name, Shape};
+use crate::param::Param;
 use crate::read::read;
 use crate::registry::Registry;
 use crate::spec::{ParamSpec, ParamType};
@@ -112,6 +113,22 @@ impl Graph {
             Some(misfit) => Err((Some(format!("{field}{}", misfit.path)), Box::new(misfit.kind))),
             None if holds_files(&param.ty) => Ok(resolved(&param.ty, &canonical, directory)),
             None => Ok(literal),
+        }
+    }
+}
+
+impl ParamSpec {
+    /// A value given as text, as [`Graph::set`] takes it: in range, and complete with the defaults of what is left out in it.
+    ///
+    /// # Errors
+    /// If it does not fit the parameter, or is a link.
+    pub fn read<P: Param>(&self, value: &str) -> Result<P, FaultKind> {
+        let literal = read_value(self, value).map_err(|kind| *kind)?;
+        let mut misfits = Vec::new();
+        let canonical = conform(self, &literal, &mut misfits);
+        match misfits.into_iter().next() {
+            Some(misfit) => Err(misfit.kind),
+            None => P::from_literal(&canonical).map_err(|error| FaultKind::WrongType { expected: error.expected, found: error.found }),
         }
     }
 }

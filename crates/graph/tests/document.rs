@@ -104,6 +104,20 @@ fn a_setting_that_does_not_fit_changes_nothing_and_says_why() {
     assert_eq!(graph, before);
 }
 
+/// A table's cell, say: as in a setting, but of no graph.
+#[test]
+fn a_parameter_reads_a_value_by_the_rules_of_a_setting() {
+    let registry = registry();
+    let param = |kind: &str, name: &str| registry.specification(kind).unwrap().param(name).unwrap().clone();
+    assert_eq!(param("Add", "times").read::<u32>("7"), Ok(7));
+    assert_eq!(param("Join", "separator").read::<String>("and"), Ok("and".to_owned()));
+    let refused = |kind: &str, name: &str, value: &str| param(kind, name).read::<f64>(value).unwrap_err().to_string();
+    assert_eq!(refused("Add", "gain", "10.0"), "10.0 is out of range: expected 0 to below 10 (1)");
+    assert_eq!(refused("Add", "gain", "\"a.value\""), "expected a number, found the text \"a.value\"");
+    assert!(refused("Add", "gain", "1 2").starts_with("expected a number, found \"1 2\""));
+    assert_eq!(refused("Join", "separator", "x"), "expected a number, found the text \"x\"");
+}
+
 #[test]
 fn a_link_set_to_nowhere_is_found_when_checked() {
     let mut graph = graph();

@@ -43,3 +43,52 @@ fn a_run_answers_with_every_missing_file_that_it_needs() {
     let nodes: Vec<&str> = error.lines().map(|line| line.split('"').nth(1).unwrap()).collect();
     assert_eq!(nodes, ["a", "c"], "{error}");
 }
+
+/// A graph that moves says how to get to the same files from where it is; all else keeps its bytes.
+#[test]
+fn a_graph_that_moves_still_finds_its_files() {
+    let folder = tempfile::tempdir().unwrap();
+    let (graphs, elsewhere) = (folder.path().join("graphs"), folder.path().join("out/deep"));
+    std::fs::create_dir_all(graphs.join("texts")).unwrap();
+    std::fs::write(graphs.join("texts/a.txt"), "a").unwrap();
+    std::fs::write(folder.path().join("b.txt"), "b").unwrap();
+    let absolute = folder.path().join("b.txt").display().to_string();
+    let text = format!(
+        r#"Graph(version: 1, nodes: {{
+    // As it is written.
+    "a": ReadText( path: "texts/a.txt" ), "b": ReadText(path: "../b.txt"), // The other one.
+    "c": ReadText(path: "{absolute}"), "d": ReadText(path: Link("a.text")),
+}}, output: "a.text")"#
+    );
+    std::fs::write(graphs.join("graph.ron"), &text).unwrap();
+    let graph = Graph::read(&graphs.join("graph.ron")).unwrap();
+
+    let mut same = graph.clone();
+    same.relocate(&registry(), &folder.path().join("graphs/../graphs")).unwrap();
+    assert_eq!(same.to_ron(), text);
+
+    // The folder need not be there yet.
+    let mut moved = graph.clone();
+    moved.relocate(&registry(), &elsewhere).unwrap();
+    let expected = text.replace("\"texts/a.txt\"", "\"../../graphs/texts/a.txt\"").replace("\"../b.txt\"", "\"../../b.txt\"");
+    assert_eq!(moved.to_ron(), expected);
+    std::fs::create_dir_all(&elsewhere).unwrap();
+    std::fs::write(elsewhere.join("graph.ron"), moved.to_ron()).unwrap();
+    for graph in [moved, Graph::read(&elsewhere.join("graph.ron")).unwrap()] {
+        graph.check_files(&registry()).unwrap();
+    }
+}
+
+#[cfg(unix)]
+#[test]
+fn a_link_on_the_way_does_not_mislead() {
+    let folder = tempfile::tempdir().unwrap();
+    std::fs::create_dir_all(folder.path().join("one/two/graphs")).unwrap();
+    std::fs::write(folder.path().join("one/two/a.txt"), "a").unwrap();
+    std::os::unix::fs::symlink("one/two/graphs", folder.path().join("link")).unwrap();
+    std::fs::write(folder.path().join("link/graph.ron"), r#"Graph(version: 1, nodes: {"a": ReadText(path: "../a.txt")})"#).unwrap();
+    let mut graph = Graph::read(&folder.path().join("link/graph.ron")).unwrap();
+    graph.relocate(&registry(), folder.path()).unwrap();
+    assert!(graph.to_ron().contains("\"one/two/a.txt\""), "{}", graph.to_ron());
+    graph.check_files(&registry()).unwrap();
+}

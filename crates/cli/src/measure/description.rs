@@ -128,14 +128,32 @@ impl Description {
     }
 }
 
+/// The values of each `--vary NODE.INPUT=a,b,c`, in order.
+pub(crate) fn varied(options: &[String]) -> Result<IndexMap<String, Vec<String>>, Failure> {
+    let mut all = IndexMap::new();
+    for option in options {
+        let (target, values) = split_assignment("--vary", option)?;
+        if all.insert(target.to_owned(), split_values(option, values)?).is_some() {
+            return Err(Failure::Usage(format!("--vary {target} is given twice; give all its values at once: {target}=a,b,c")));
+        }
+    }
+    Ok(all)
+}
+
+/// The value of each `NODE.INPUT=VALUE`; of one that is given twice the last.
+pub(crate) fn assigned(option: &str, assignments: &[String]) -> Result<IndexMap<String, String>, Failure> {
+    let split = |assignment: &String| split_assignment(option, assignment).map(|(target, value)| (target.to_owned(), value.to_owned()));
+    assignments.iter().map(split).collect()
+}
+
 /// `NODE.INPUT` and what follows the `=`.
-pub(crate) fn split_assignment<'a>(option: &str, text: &'a str) -> Result<(&'a str, &'a str), Failure> {
+fn split_assignment<'a>(option: &str, text: &'a str) -> Result<(&'a str, &'a str), Failure> {
     let parts = text.split_once('=').filter(|(target, _)| target.contains('.'));
     parts.ok_or_else(|| Failure::Usage(format!("{option} {text}: expected NODE.INPUT=VALUE")))
 }
 
 /// Values with commas between; those within brackets or quotes are theirs.
-pub(crate) fn split_values(option: &str, text: &str) -> Result<Vec<String>, Failure> {
+fn split_values(option: &str, text: &str) -> Result<Vec<String>, Failure> {
     let (mut values, mut depth, mut quoted, mut escaped) = (vec![String::new()], 0i32, false, false);
     for letter in text.chars() {
         match letter {

@@ -1,10 +1,10 @@
 //! `pelage measure`: what settings of a graph cost, and how far their pictures are from the truth.
 
-mod description;
-mod errors;
-mod plan;
-mod results;
-mod run;
+pub(crate) mod description;
+pub(crate) mod errors;
+pub(crate) mod plan;
+pub(crate) mod results;
+pub(crate) mod run;
 mod sheet;
 
 use std::path::{Path, PathBuf};
@@ -14,12 +14,15 @@ use clap::Args;
 use crate::failure::Failure;
 use crate::graph::Overrides;
 use crate::render::size;
-use description::{Description, split_assignment, split_values};
+use description::{Description, assigned, varied};
 use plan::Plan;
 use results::Results;
 
 /// Times that each frame is timed, where nothing is said.
-const ROUNDS: u32 = 9;
+pub(crate) const ROUNDS: u32 = 9;
+
+/// The most settings in one sweep.
+const MOST_SETTINGS: usize = 1000;
 
 #[derive(Args)]
 pub(crate) struct Measure {
@@ -80,7 +83,7 @@ impl Measure {
         }
         let description = self.description()?;
         let rounds = self.rounds.or(description.rounds).unwrap_or(ROUNDS).max(1);
-        let plan = Plan::new(&description, &self.overrides, self.size)?;
+        let plan = Plan::new(&description, &self.overrides, self.size, MOST_SETTINGS)?;
         let measured = run::measure(&plan, &run::How { rounds, threads: self.threads, quiet: self.quiet, verbose: self.verbose })?;
         let results = Results::new(&description, &plan, &measured, rounds);
         if !self.quiet {
@@ -96,17 +99,8 @@ impl Measure {
             (None, Some(graph)) => Description::of_graph(graph),
             (None, None) => return Err(Failure::Usage("give GRAPH.ron or --sweep SWEEP.ron".into())),
         };
-        for (index, vary) in self.vary.iter().enumerate() {
-            let (target, values) = split_assignment("--vary", vary)?;
-            if self.vary[..index].iter().any(|before| before.split_once('=').is_some_and(|(other, _)| other == target)) {
-                return Err(Failure::Usage(format!("--vary {target} is given twice; give all its values at once: {target}=a,b,c")));
-            }
-            description.vary.insert(target.to_owned(), split_values(vary, values)?);
-        }
-        for finest in &self.finest {
-            let (target, value) = split_assignment("--finest", finest)?;
-            description.finest.insert(target.to_owned(), value.to_owned());
-        }
+        description.vary.extend(varied(&self.vary)?);
+        description.finest.extend(assigned("--finest", &self.finest)?);
         if let Some(against) = &self.against {
             description.against = Some(against.clone());
         }

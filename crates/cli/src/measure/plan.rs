@@ -11,9 +11,6 @@ use crate::failure::Failure;
 use crate::graph::{Overrides, with_files};
 use crate::render::{makes_pictures, node_of};
 
-/// The most settings in one sweep.
-const MOST_SETTINGS: usize = 1000;
-
 /// What is evaluated, in order.
 pub(crate) struct Plan {
     /// The node whose pictures are measured.
@@ -26,7 +23,9 @@ pub(crate) struct Plan {
     pub(crate) varied: Vec<String>,
     /// Those of them that tell the settings apart which do not compete.
     pub(crate) grouped_by: Vec<String>,
-    /// Each combination of values.
+    /// The graph as it is, with none of them set.
+    pub(crate) start: Setting,
+    /// Each combination of values, the last input's changing first.
     pub(crate) settings: Vec<Setting>,
     /// What makes the pictures that are measured against.
     pub(crate) references: Vec<CheckedGraph>,
@@ -41,6 +40,21 @@ pub(crate) struct Setting {
     pub(crate) fur: String,
     /// Which of the references it is measured against.
     pub(crate) reference: usize,
+}
+
+impl Setting {
+    fn new(
+        setter: &Setter<'_>,
+        sweep: &Description,
+        graph: &Graph,
+        picture: &str,
+        values: Vec<String>,
+        reference: usize,
+    ) -> Result<Self, Failure> {
+        let fur = fur_of(graph, setter.registry, picture)
+            .ok_or_else(|| Failure::Input(format!("{}: {picture} draws no fur", sweep.graph.display())))?;
+        Ok(Self { values, graph: setter.check(graph)?, fur, reference })
+    }
 }
 
 /// Sets inputs of a graph, and checks it.
@@ -61,11 +75,11 @@ impl Setter<'_> {
 }
 
 impl Plan {
-    /// Checks all there is to check: no setting is evaluated while another is wrong.
-    pub(crate) fn new(sweep: &Description, overrides: &Overrides, size: Option<(u32, u32)>) -> Result<Self, Failure> {
+    /// Checks all there is to check: no setting is evaluated while another is wrong. More settings than `most` are refused.
+    pub(crate) fn new(sweep: &Description, overrides: &Overrides, size: Option<(u32, u32)>, most: usize) -> Result<Self, Failure> {
         let registry = pelage_nodes::registry();
         let setter = Setter { registry: &registry, path: &sweep.graph, directory: &sweep.directory };
-        let values = combinations(sweep)?;
+        let values = combinations(sweep, most)?;
         let mut graph = overrides.read(&sweep.graph, &registry)?;
         setter.check(&graph)?;
         let output = output_of(sweep, &graph, &registry)?;
@@ -87,7 +101,8 @@ impl Plan {
         if let Some(unknown) = sweep.groups.iter().find(|name| !sweep.vary.contains_key(*name)) {
             return Err(Failure::Input(format!("{unknown} groups settings and does not vary; give --vary {unknown}=a,b,c, too")));
         }
-        let mut plan = Self { picture, output, against, varied, grouped_by, settings: Vec::new(), references: Vec::new() };
+        let start = Setting::new(&setter, sweep, &graph, &picture, Vec::new(), 0)?;
+        let mut plan = Self { picture, output, against, varied, grouped_by, start, settings: Vec::new(), references: Vec::new() };
         for case in cases(sweep) {
             let mut graph = graph.clone();
             for (target, value) in case.sets {
@@ -120,10 +135,8 @@ impl Plan {
             if sweep.each {
                 self.references.push(finest(setter, sweep, graph.clone())?);
             }
-            let fur = fur_of(&graph, setter.registry, &self.picture)
-                .ok_or_else(|| Failure::Input(format!("{}: {} draws no fur", sweep.graph.display(), self.picture)))?;
             let values = case.iter().chain(values).cloned().collect();
-            self.settings.push(Setting { values, graph: setter.check(&graph)?, fur, reference: self.references.len() - 1 });
+            self.settings.push(Setting::new(setter, sweep, &graph, &self.picture, values, self.references.len() - 1)?);
         }
         Ok(())
     }
@@ -206,15 +219,15 @@ fn finest_of_all(setter: &Setter<'_>, sweep: &Description, mut graph: Graph) -> 
 }
 
 /// Every combination of values, the last input's changing first.
-fn combinations(sweep: &Description) -> Result<Vec<Vec<String>>, Failure> {
+fn combinations(sweep: &Description, most: usize) -> Result<Vec<Vec<String>>, Failure> {
     if sweep.vary.is_empty() && sweep.cases.is_empty() {
         return Err(Failure::Usage("nothing varies; give --vary NODE.INPUT=a,b,c".into()));
     }
     let axes = sweep.vary.values().map(Vec::len).chain(sweep.cases.values().map(IndexMap::len));
     let count = axes.into_iter().try_fold(1usize, usize::checked_mul).unwrap_or(usize::MAX);
-    if count > MOST_SETTINGS {
+    if count > most {
         return Err(Failure::Usage(format!(
-            "{count} combinations are more than the {MOST_SETTINGS} of one sweep; vary fewer inputs at a time"
+            "{count} combinations are more than {most}; vary fewer inputs at a time, or give them fewer values"
         )));
     }
     if let Some((axis, _)) = sweep.cases.iter().find(|(_, cases)| cases.is_empty()) {
@@ -233,7 +246,7 @@ fn combinations(sweep: &Description) -> Result<Vec<Vec<String>>, Failure> {
 }
 
 /// What is asked for, or the graph's own main output: one that is drawn.
-fn output_of(sweep: &Description, graph: &Graph, registry: &Registry) -> Result<String, Failure> {
+pub(crate) fn output_of(sweep: &Description, graph: &Graph, registry: &Registry) -> Result<String, Failure> {
     let about = sweep.graph.display();
     let output = sweep.output.clone().or_else(|| graph.output.clone());
     let Some(output) = output else {

@@ -38,11 +38,7 @@ pub(crate) struct MeasuredSetting {
 }
 
 pub(crate) fn measure(plan: &Plan, how: &How) -> Result<Measured, Failure> {
-    let mut evaluator = pelage_nodes::evaluator(CACHE_BYTES);
-    if let Some(threads) = how.threads {
-        evaluator = evaluator.threads(threads.into());
-    }
-    let mut engine = Engine { evaluator, how, total: plan.settings.len() };
+    let mut engine = Engine::new(how);
     let mut references: Vec<Option<Arc<Picture>>> = vec![None; plan.references.len()];
     let mut drawn = Vec::new();
     for (index, setting) in plan.settings.iter().enumerate() {
@@ -51,7 +47,8 @@ pub(crate) fn measure(plan: &Plan, how: &How) -> Result<Measured, Failure> {
             None => engine.reference(plan, setting.reference)?,
         };
         references[setting.reference] = Some(reference.clone());
-        let (picture, contender) = engine.draw(plan, index, setting)?;
+        let title = format!("{} of {}: {}", index + 1, plan.settings.len(), setting.values.join(", "));
+        let (picture, contender) = engine.draw(plan, setting, &title)?;
         drawn.push((picture, reference, contender));
     }
     let contenders: Vec<Contender> = drawn.iter().map(|(_, _, contender)| contender.clone()).collect();
@@ -80,7 +77,7 @@ fn times(plan: &Plan, contenders: &[Contender], rounds: u32) -> Result<Vec<[f64;
 }
 
 /// The least and the median of a setting's times, and the median of their ratios to the last setting's.
-fn times_of(rounds: &[Vec<f64>], index: usize) -> [f64; 3] {
+pub(crate) fn times_of(rounds: &[Vec<f64>], index: usize) -> [f64; 3] {
     let mut times: Vec<f64> = rounds.iter().map(|round| round[index]).collect();
     let mut ratios: Vec<f64> = rounds.iter().map(|round| round[index] / round[round.len() - 1]).collect();
     let median = |numbers: &mut [f64]| {
@@ -91,16 +88,23 @@ fn times_of(rounds: &[Vec<f64>], index: usize) -> [f64; 3] {
     [times.first().copied().unwrap_or(f64::NAN), middle, ratio]
 }
 
-/// What evaluates.
-struct Engine<'a> {
+/// What evaluates: one cache for all, so that only what a setting changes is made again.
+pub(crate) struct Engine<'a> {
     evaluator: Evaluator,
     how: &'a How,
-    total: usize,
 }
 
-impl Engine<'_> {
+impl<'a> Engine<'a> {
+    pub(crate) fn new(how: &'a How) -> Self {
+        let mut evaluator = pelage_nodes::evaluator(CACHE_BYTES);
+        if let Some(threads) = how.threads {
+            evaluator = evaluator.threads(threads.into());
+        }
+        Self { evaluator, how }
+    }
+
     /// What settings are measured against. An equal one that was made before is in the cache.
-    fn reference(&mut self, plan: &Plan, index: usize) -> Result<Arc<Picture>, Failure> {
+    pub(crate) fn reference(&mut self, plan: &Plan, index: usize) -> Result<Arc<Picture>, Failure> {
         let title = match plan.references.len() {
             1 => "what is measured against".to_owned(),
             count => format!("what is measured against, {} of {count}", index + 1),
@@ -108,11 +112,11 @@ impl Engine<'_> {
         Ok(self.run(&plan.references[index], Request::output(&plan.against), &title)?.get::<Picture>(&plan.against)?)
     }
 
-    fn draw(&mut self, plan: &Plan, index: usize, setting: &Setting) -> Result<(Arc<Picture>, Contender), Failure> {
+    /// The picture of a setting, ready to be timed.
+    pub(crate) fn draw(&mut self, plan: &Plan, setting: &Setting, title: &str) -> Result<(Arc<Picture>, Contender), Failure> {
         let frame = format!("{}.frame", plan.picture);
         let request = Request::output(&plan.output).and_output(&frame).and_on_the_way(&setting.fur);
-        let title = format!("{} of {}: {}", index + 1, self.total, setting.values.join(", "));
-        let evaluation = self.run(&setting.graph, request, &title)?;
+        let evaluation = self.run(&setting.graph, request, title)?;
         Ok((evaluation.get(&plan.output)?, Contender::of(&evaluation, &setting.fur, &frame)?))
     }
 

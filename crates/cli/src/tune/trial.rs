@@ -1,0 +1,107 @@
+//! Trying one setting after the other.
+
+use std::sync::Arc;
+
+use pelage_nodes::{Contender, Gpu, Picture, time_in_turn};
+
+use super::Cost;
+use crate::failure::Failure;
+use crate::measure::errors::Errors;
+use crate::measure::plan::Plan;
+use crate::measure::run::{Engine, How, times_of};
+
+/// A setting that was tried.
+pub(super) struct Tried {
+    /// Which of the plan's.
+    pub(super) number: usize,
+    pub(super) fragments: Option<u64>,
+    pub(super) bytes: usize,
+    /// None where time is no matter.
+    pub(super) ms: Option<f64>,
+    pub(super) flip_mean: f64,
+    pub(super) flip_p99: f64,
+}
+
+/// What it takes to try them.
+pub(super) struct Bench<'a> {
+    plan: &'a Plan,
+    cost: Cost,
+    how: &'a How,
+    engine: Engine<'a>,
+    truth: Arc<Picture>,
+    clock: Option<Clock>,
+    tried: Vec<Tried>,
+}
+
+impl<'a> Bench<'a> {
+    /// Makes the picture to measure against.
+    pub(super) fn new(plan: &'a Plan, cost: Cost, how: &'a How) -> Result<Self, Failure> {
+        let mut engine = Engine::new(how);
+        // There is one, as no cases are and no setting has its own.
+        let truth = engine.reference(plan, 0)?;
+        let clock = if cost == Cost::Ms { Some(Clock::new(engine.draw(plan, &plan.start, "the graph as it is")?.1)?) } else { None };
+        Ok(Self { plan, cost, how, engine, truth, clock, tried: Vec::new() })
+    }
+
+    /// Cost and error of a setting.
+    pub(super) fn evaluate(&mut self, number: usize) -> Result<(f64, f64), Failure> {
+        let setting = &self.plan.settings[number];
+        let values = setting.values.join(", ");
+        let (picture, contender) = self.engine.draw(self.plan, setting, &format!("{}: {values}", self.tried.len() + 1))?;
+        let errors = Errors::of(&self.truth, &picture).map_err(|error| Failure::input(&values, &error))?;
+        let fragments = contender.report().stats.fragments.map(|fragments| fragments.total());
+        let bytes = contender.texture_bytes();
+        let ms = self.clock.as_mut().map(|clock| clock.time(vec![contender], self.how.rounds)).transpose()?;
+        let ms = ms.and_then(|ms| ms.first().copied());
+        self.tried.push(Tried { number, fragments, bytes, ms, flip_mean: errors.flip_mean, flip_p99: errors.flip_p99 });
+        let cost = match self.cost {
+            Cost::Ms => ms,
+            Cost::Fragments => fragments.map(|fragments| fragments as f64),
+            Cost::Bytes => Some(bytes as f64),
+        };
+        let uncounted = || Failure::Input("this graphics adapter does not count fragments; tune for ms or bytes".into());
+        Ok((cost.ok_or_else(uncounted)?, errors.flip_mean))
+    }
+
+    /// Milliseconds of settings that were tried, all timed anew in the same rounds, which is what is known of them from now on. That a frame seemed quickest of
+    /// many may be luck, and luck does not last.
+    pub(super) fn time_again(&mut self, numbers: &[usize]) -> Result<Vec<f64>, Failure> {
+        let Some(clock) = &mut self.clock else { return Ok(Vec::new()) };
+        let (engine, plan) = (&mut self.engine, self.plan);
+        let draw = |number: &usize| Ok::<_, Failure>(engine.draw(plan, &plan.settings[*number], "timed again")?.1);
+        let all = clock.time(numbers.iter().map(draw).collect::<Result<_, _>>()?, self.how.rounds)?;
+        for (number, ms) in numbers.iter().zip(&all) {
+            self.tried.iter_mut().filter(|one| one.number == *number).for_each(|one| one.ms = Some(*ms));
+        }
+        Ok(all)
+    }
+
+    /// What was tried, in order.
+    pub(super) fn tried(&self) -> &[Tried] {
+        &self.tried
+    }
+}
+
+/// Times frames in turn with that of the graph as it is: whatever else the machine does slows both alike.
+struct Clock {
+    gpu: Gpu,
+    start: Contender,
+    /// Milliseconds of its frame, once they are known.
+    start_ms: Option<f64>,
+}
+
+impl Clock {
+    fn new(start: Contender) -> Result<Self, Failure> {
+        Ok(Self { gpu: Gpu::new().map_err(|error| Failure::Input(error.to_string()))?, start, start_ms: None })
+    }
+
+    /// Milliseconds of each: of the start's frame at its quickest in the first rounds, times the median ratio within a round.
+    fn time(&mut self, mut contenders: Vec<Contender>, rounds: u32) -> Result<Vec<f64>, Failure> {
+        contenders.push(self.start.clone());
+        let rounds = time_in_turn(&self.gpu, &contenders, rounds).map_err(|error| Failure::input("timing", &error))?;
+        let last = contenders.len() - 1;
+        let [least, ..] = times_of(&rounds, last);
+        let start = *self.start_ms.get_or_insert(least);
+        Ok((0..last).map(|index| times_of(&rounds, index)[2] * start).collect())
+    }
+}
