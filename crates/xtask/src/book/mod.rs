@@ -1,5 +1,6 @@
-//! The book: built, checked, its node reference and its pictures made anew.
+//! The book: built, checked, its node reference, its pictures and what it says of extremes made anew.
 
+mod extremes;
 mod links;
 mod markdown;
 mod nodes;
@@ -20,16 +21,21 @@ pub(crate) enum What {
     Pictures,
     /// Draw its plots alone anew, from the figures that benchmarks wrote.
     Plots,
+    /// Run the tests that the page of extremes names, and write what each reached.
+    Extremes,
 }
 
-/// Makes the node reference anew, the pictures if they are asked for, and builds the book into `book/book`.
+/// Makes the node reference anew, and what else is asked for, and builds the book into `book/book`.
 pub(crate) fn run(place: &Place, what: Option<What>) -> Result<()> {
     nodes::write(place)?;
-    if what == Some(What::Pictures) {
-        pictures::draw(place)?;
-    }
-    if what.is_some() {
-        plot::draw(place)?;
+    match what {
+        None => {}
+        Some(What::Pictures) => {
+            pictures::draw(place)?;
+            plot::draw(place)?;
+        }
+        Some(What::Plots) => plot::draw(place)?,
+        Some(What::Extremes) => extremes::write(place)?,
     }
     check_sources(place)?;
     build(place)?;
