@@ -110,7 +110,7 @@ fn specular_fades_as_light_and_eye_oppose() {
     assert_eq!(half_vector(light, -light).weight, 0.0);
     let half = half_vector(light, DVec3::new(0.5 * HALF_VECTOR_FADE, 0.0, -1.0).normalize());
     assert!((half.weight - 0.5).abs() < 1e-6);
-    println!("reached: finite to |L + V| = 0; the specular at half where it is {:.0e}", 0.5 * HALF_VECTOR_FADE);
+    println!("reached: finite to L = −V; the specular at {:.3} at a gap of {:.0e}", half.weight, 0.5 * HALF_VECTOR_FADE);
 }
 
 proptest! {

@@ -158,7 +158,7 @@ fn toroidal_tile_given_as_one_number_is_within_a_hundredth_of_a_texel() {
             }
         }
     }
-    println!("reached: {most:.0e} texels of {TEXELS}");
+    println!("reached: {most:.4} texels of {TEXELS}");
     println!("reached: {as_f32:.3} texels of {TEXELS} if a place were one f32");
     assert!(most < 1e-3 && as_f32 > 0.01, "{most} {as_f32}");
 }

@@ -134,6 +134,9 @@ fn with_values(text: &str, reached: &BTreeMap<Test, Vec<String>>) -> std::result
         let values = reached.get(&test).map_or(&[][..], Vec::as_slice);
         let row = rows.entry(test).or_default();
         let value = if values.is_empty() { HOLDS } else { values.get(*row).map_or("", String::as_str) };
+        if value.contains('|') {
+            faults.push(format!("{value} has a bar in it, which ends a cell"));
+        }
         *row += 1;
         let mut cells = cells(line);
         cells[VALUE] = value;
@@ -175,6 +178,11 @@ mod tests {
             let faults = with_values(ROWS, &reached(lines, &[])).unwrap_err();
             assert!(faults.len() == 1 && faults[0].contains("one_is_small is in 2 rows"), "{faults:?}");
         }
+    }
+
+    #[test]
+    fn a_value_that_would_end_its_cell_is_told() {
+        assert!(with_values(ROWS, &reached(&["0.1", "|v| = 2"], &[])).unwrap_err()[0].contains("|v| = 2"));
     }
 
     #[test]
