@@ -94,6 +94,8 @@ fn to_flip(image: Image) -> FlipImageRgb8 {
 
 #[cfg(test)]
 mod tests {
+    #![allow(clippy::print_stdout, reason = "a test says what it measured")]
+
     use super::*;
     use crate::linear_light;
 
@@ -158,12 +160,15 @@ mod tests {
 
     #[test]
     fn uniform_greys_differ_by_formula() {
+        let mut most = 0.0_f64;
         for (first, second) in [(0, 255), (128, 129), (100, 140), (10, 250), (0, 1), (200, 190)] {
             let report = compare(&uniform(first), &uniform(second), None);
             let expected = flip_of_greys(first, second);
             assert!((report.mean - expected).abs() < 2e-3, "{first} against {second}: {} is not {expected}", report.mean);
             assert!((report.max - report.mean).abs() < 1e-4, "uniform pictures differ uniformly");
+            most = most.max((report.mean - expected).abs());
         }
+        println!("reached: within {most:.0e} of the formula in f64");
     }
 
     #[test]

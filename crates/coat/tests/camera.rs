@@ -1,4 +1,5 @@
 //! What a camera sees lies where it should.
+#![allow(clippy::print_stdout, reason = "a test says what it measured")]
 
 use glam::{Vec3, Vec4, Vec4Swizzles};
 use pelage_coat::Camera;
@@ -14,6 +15,30 @@ fn depth_runs_from_one_at_the_near_plane_to_zero_far_away() {
     let camera = Camera { eye: Vec3::Z, target: Vec3::ZERO, up: Vec3::Y, field_of_view: 1.0, near: 0.25 };
     assert!((project(&camera, 1.5, 0.75 * Vec3::Z).z - 1.0).abs() < 1e-6);
     assert!(project(&camera, 1.5, -1e6 * Vec3::Z).z.abs() < 1e-6);
+}
+
+/// From how far behind a place another is told apart by its depth in `f32`, as a part of the distance from the eye.
+fn least_gap(near: f32, distance: f32, depth: impl Fn(f32, f32) -> f32) -> f32 {
+    let apart = |gap: &f32| depth(near, distance * (1.0 + gap)) != depth(near, distance);
+    (0..26).map(|k| 2.0_f32.powi(k - 24)).find(apart).unwrap_or(f32::INFINITY)
+}
+
+/// With the nearest of near planes, at any distance: a step of `f32` behind, where depth from 0 at the near plane to 1 far away tells nothing apart.
+#[test]
+fn reversed_depth_tells_apart_at_any_distance() {
+    // As the projection has it, w being the distance.
+    let camera = |near: f32| Camera { eye: Vec3::ZERO, target: -Vec3::Z, up: Vec3::Y, field_of_view: 1.0, near };
+    let reversed = |near: f32, distance: f32| project(&camera(near), 1.0, -distance * Vec3::Z).z;
+    let forward = |near: f32, distance: f32| 1.0 - near / distance;
+    let mut most = 0.0_f32;
+    for near in [1e-4, 1e-2, 10.0] {
+        for distance in [1.01, 1.7, 10.0, 1e3, 1e6].map(|times| near * times) {
+            most = most.max(least_gap(near, distance, reversed));
+        }
+    }
+    let forward_at_one = least_gap(1e-4, 1.0, forward);
+    println!("reached: told apart {most:.0e} of the distance behind each other; {forward_at_one:.0e} with depth from 0 to 1");
+    assert!(most < 5e-7 && forward_at_one > 1e-4, "{most} {forward_at_one}");
 }
 
 #[test]

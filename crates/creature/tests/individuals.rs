@@ -39,6 +39,7 @@ fn the_same_bits_for_any_number_of_threads() -> Result<(), Box<dyn Error>> {
     let one = made(1)?;
     assert_eq!(one, made(2)?);
     assert_eq!(one, made(7)?);
+    assert_eq!(one, made(8)?);
     Ok(())
 }
 

@@ -143,15 +143,17 @@ fn a_point_rules_its_place_and_vectors_theirs() {
 #[test]
 fn coincident_points_are_finite() {
     let ball = sphere(1.0, 8).unwrap();
+    let mut worst = 0.0_f64;
     for (one, _) in flows(DVec3::Z) {
         for (other, _) in flows(DVec3::Y) {
             for (vectors, apart) in [(&[][..], 0.0), (&[Constraint { at: DVec3::X, along: DVec3::Y }][..], 0.05)] {
                 let points = [about(DVec3::X, one), about(DVec3::X + apart * DVec3::Y, other)];
                 let field = DirectionField::from_constraints(&ball, vectors, &points, 0.2).unwrap();
-                assert_unit_and_tangent("ball", &ball, &field);
+                worst = worst.max(assert_unit_and_tangent("ball", &ball, &field));
             }
         }
     }
+    println!("reached: unit and tangent within {worst:.0e}");
 }
 
 #[test]

@@ -1,6 +1,6 @@
 //! The rows "Hair lighting" and "Lighting table" of the numbers at their extremes that no other file holds: the same limits through the table, after rounding
 //! to the half floats a renderer keeps, and what is no number.
-#![allow(clippy::expect_used, reason = "a test may panic")]
+#![allow(clippy::expect_used, clippy::print_stdout, reason = "a test may panic, and says what it measured")]
 
 use glam::DVec3;
 use pelage_lighting::{
@@ -49,16 +49,20 @@ fn lighting_table_of_any_exponent_is_finite_and_in_range_beyond_the_ends_too() {
 #[test]
 fn lighting_table_in_half_floats_errs_by_a_quarter_of_a_thousandth_more() {
     let lighting = powers(1.0, 64.0);
+    let mut most = 0.0_f64;
     for layout in layouts() {
         let table = LightingTable::new(&lighting, layout).expect("a legal size");
         for factor in table.texels().iter().flatten().map(|&factor| f64::from(factor)) {
             let kept = half(factor);
             assert!((kept - factor).abs() <= 2.5e-4 && (0.0..=1.0).contains(&kept), "{factor} is kept as {kept}");
+            most = most.max((kept - factor).abs());
         }
     }
     // Sum of both: the default stays under a hundredth in the renderer.
     let error = LightingTable::new(&lighting, TableLayout::default()).expect("a legal size").factor_error(&lighting);
-    assert!(error.diffuse.largest.max(error.specular.largest) + 2.5e-4 < 0.01);
+    let whole = error.diffuse.largest.max(error.specular.largest) + most;
+    println!("reached: {most:.1e} by rounding, {whole:.1e} in all by default");
+    assert!(whole < 0.01);
 }
 
 #[test]

@@ -1,4 +1,5 @@
 //! The row "Hair lighting" of the numbers at their extremes.
+#![allow(clippy::print_stdout, reason = "a test says what it measured")]
 
 use glam::DVec3;
 use pelage_lighting::{HALF_VECTOR_FADE, HairLighting, half_vector};
@@ -60,7 +61,7 @@ fn a_power_under_zero_counts_as_zero() {
 #[test]
 fn hair_lighting_of_f32_unit_vectors_beyond_one_are_clamped() {
     // Rounded to f32 and back, many unit vectors have t·t > 1.
-    let mut beyond = 0;
+    let (mut beyond, mut most) = (0, 0.0_f64);
     for i in 0..1000 {
         let (sin, cos) = (f64::from(i) * 0.61).sin_cos();
         let (sine, cosine) = (f64::from(i) * 0.37).sin_cos();
@@ -68,20 +69,27 @@ fn hair_lighting_of_f32_unit_vectors_beyond_one_are_clamped() {
         beyond += usize::from(t.length_squared() > 1.0);
         let factor = lighting(1.0, 1.0).diffuse_factor(t.dot(t));
         assert!(factor.is_finite() && factor < 1e-3, "{factor}");
+        most = most.max(factor);
     }
+    println!("reached: {} % of unit vectors beyond 1, factor {most:.0e} at most where it should be 0", beyond / 10);
     assert!(beyond > 100, "the test meets the case it is about: {beyond}");
 }
 
 #[test]
 fn hair_lighting_of_a_million_samples_is_finite_and_in_range() {
-    let l = lighting(4.8, 64.0);
-    let most = l.ambient + l.diffuse + l.specular + DVec3::splat(1e-12);
-    for i in 0..1_000_000_u32 {
-        let u = f64::from(i) / 499_999.5 - 1.0 + 1e-7 * f64::from(i % 3);
-        let v = (f64::from(i) * 0.618_033_988_7).fract() * 2.000_000_2 - 1.000_000_1;
-        let light = l.evaluate(u, v);
-        assert!(light.is_finite() && light.cmpge(l.ambient).all() && light.cmple(most).all(), "{u} {v}: {light}");
+    let mut samples = 0;
+    for (diffuse_power, specular_power) in [(4.8, 64.0), (0.0, 0.0), (1.0, 1.0), (1e4, 1e4), (1e30, 1e30)] {
+        let l = lighting(diffuse_power, specular_power);
+        let most = l.ambient + l.diffuse + l.specular + DVec3::splat(1e-12);
+        for i in 0..1_000_000_u32 {
+            let u = f64::from(i) / 499_999.5 - 1.0 + 1e-7 * f64::from(i % 3);
+            let v = (f64::from(i) * 0.618_033_988_7).fract() * 2.000_000_2 - 1.000_000_1;
+            let light = l.evaluate(u, v);
+            assert!(light.is_finite() && light.cmpge(l.ambient).all() && light.cmple(most).all(), "{u} {v} by {specular_power}: {light}");
+            samples += 1;
+        }
     }
+    println!("reached: {samples} samples, from Ka to Ka + Kd + Ks");
 }
 
 #[test]
@@ -102,6 +110,7 @@ fn specular_fades_as_light_and_eye_oppose() {
     assert_eq!(half_vector(light, -light).weight, 0.0);
     let half = half_vector(light, DVec3::new(0.5 * HALF_VECTOR_FADE, 0.0, -1.0).normalize());
     assert!((half.weight - 0.5).abs() < 1e-6);
+    println!("reached: finite to L = −V; the specular at {:.3} at a gap of {:.0e}", half.weight, 0.5 * HALF_VECTOR_FADE);
 }
 
 proptest! {

@@ -1,5 +1,5 @@
 //! The row "Lighting table" of the numbers at their extremes.
-#![allow(clippy::expect_used, reason = "a test may panic")]
+#![allow(clippy::expect_used, clippy::print_stdout, reason = "a test may panic, and says what it measured")]
 
 use pelage_lighting::{Axis, FactorError, HairLighting, LightingTable, TableError, TableLayout};
 
@@ -19,6 +19,7 @@ fn near(measured: f64, expected: f64) {
 fn lighting_table_by_default_errs_under_a_hundredth() {
     let table = LightingTable::new(&lighting(), TableLayout::default()).expect("a legal size");
     let error = table.factor_error(&lighting());
+    println!("reached: diffuse {:.1e}, specular {:.1e}", error.diffuse.largest, error.specular.largest);
     assert!(error.diffuse.largest < 0.01 && error.specular.largest < 0.01, "{error:?}");
     assert!(error.specular.largest > 1e-4, "a table of 64² is not exact: {error:?}");
 }
@@ -27,6 +28,7 @@ fn lighting_table_by_default_errs_under_a_hundredth() {
 fn lighting_table_of_the_paper_errs_as_known() {
     let table = LightingTable::new(&lighting(), TableLayout::PAPER).expect("a legal size");
     let error = table.factor_error(&lighting());
+    println!("reached: diffuse {:.3}, specular {:.3}", error.diffuse.largest, error.specular.largest);
     near(error.specular.largest, 0.033);
     // Pd = 1 has infinite slope at u = ±1: √(2h) / 4 for texels h apart.
     near(error.diffuse.largest, (2.0_f64 * 2.0 / 31.0).sqrt() / 4.0);
@@ -34,10 +36,38 @@ fn lighting_table_of_the_paper_errs_as_known() {
 
 #[test]
 fn lighting_table_wants_the_angle_for_diffuse_and_the_cosine_for_specular() {
+    let diffuse = [Axis::Cosine, Axis::Angle].map(|axis| error(256, axis, Axis::Cosine).diffuse.largest);
+    let specular = [Axis::Cosine, Axis::Angle].map(|axis| error(32, Axis::Angle, axis).specular.largest);
+    println!("reached: diffuse {:.3} and {:.1e}, specular {:.3} and {:.3}", diffuse[0], diffuse[1], specular[0], specular[1]);
     near(error(256, Axis::Cosine, Axis::Cosine).diffuse.largest, 0.031);
     near(error(256, Axis::Angle, Axis::Cosine).diffuse.largest, 1.9e-5);
     near(error(32, Axis::Angle, Axis::Cosine).specular.largest, 0.033);
     near(error(32, Axis::Angle, Axis::Angle).specular.largest, 0.079);
+}
+
+/// Of each size and each way of indexing: what is stated is what a search of other places finds.
+#[test]
+fn lighting_table_of_any_layout_errs_as_it_states() {
+    let (mut least, mut most) = (f64::INFINITY, 0.0_f64);
+    for size in [32, 64, 256] {
+        for (u, v) in [Axis::Cosine, Axis::Angle].into_iter().flat_map(|u| [Axis::Cosine, Axis::Angle].map(|v| (u, v))) {
+            let table = LightingTable::new(&lighting(), TableLayout { size, u, v }).expect("a legal size");
+            let stated = table.factor_error(&lighting());
+            // 97 places between two texels, none of them among the 64 that the statement looks at but for the middle.
+            let steps = 97 * (size - 1);
+            let found = (0..=steps).map(|i| i as f64 / steps as f64).fold([0.0_f64; 2], |found, position| {
+                let (cosine_u, cosine_v) = (u.cosine(position), v.cosine(position));
+                let (diffuse, specular) = table.look_up(cosine_u, cosine_v);
+                let off = [diffuse - lighting().diffuse_factor(cosine_u), specular - lighting().specular_factor(cosine_v)];
+                [found[0].max(off[0].abs()), found[1].max(off[1].abs())]
+            });
+            for (found, stated) in found.into_iter().zip([stated.diffuse.largest, stated.specular.largest]) {
+                assert!((found / stated - 1.0).abs() < 0.01, "{size}², u by {u:?}, v by {v:?}: {found} is not {stated}");
+                (least, most) = (least.min(found), most.max(found));
+            }
+        }
+    }
+    println!("reached: 12 tables, errors from {least:.1e} to {most:.3}");
 }
 
 #[test]

@@ -2,6 +2,7 @@
 #![allow(clippy::unwrap_used, clippy::print_stdout, reason = "a test may fail, and says what it measured")]
 
 use std::fmt::Write;
+use std::path::PathBuf;
 
 use peak_alloc::PeakAlloc;
 use pelage_mesh::{parse_obj, torus};
@@ -11,6 +12,9 @@ static ALLOCATOR: PeakAlloc = PeakAlloc;
 
 /// What numerics ask for: so many bytes for each byte of the file.
 const MOST: f64 = 50.0;
+
+/// What an import of nothing may take.
+const LEAST: usize = 16 << 10;
 
 /// A ring of 80,000 triangles: as they are; with texture coordinates; each with vertices of its own and every tenth turned; in as few digits as possible.
 fn files() -> [(&'static str, String); 4] {
@@ -38,17 +42,46 @@ fn files() -> [(&'static str, String); 4] {
     [("plain", plain), ("textured", textured), ("torn", torn), ("short", short)]
 }
 
+/// What importing takes at its peak, in bytes, and the number of faces; none where the file is refused.
+fn peak(bytes: &[u8]) -> (usize, Option<usize>) {
+    let before = ALLOCATOR.current_usage();
+    ALLOCATOR.reset_peak_usage();
+    let import = parse_obj(bytes);
+    (ALLOCATOR.peak_usage() - before, import.ok().map(|import| import.mesh.topology().face_count()))
+}
+
+/// The models of the folder `PELAGE_MODELS`, real and nasty, by name.
+fn models() -> Vec<(String, Vec<u8>)> {
+    let Some(folder) = std::env::var_os("PELAGE_MODELS").map(PathBuf::from) else {
+        println!("PELAGE_MODELS is not set: the models are not looked at");
+        return Vec::new();
+    };
+    let files = ["real", "nasty"].into_iter().flat_map(|part| std::fs::read_dir(folder.join(part)).unwrap());
+    let paths = files.map(|file| file.unwrap().path()).filter(|path| path.extension().is_some_and(|extension| extension == "obj"));
+    let models: Vec<_> = paths.map(|path| (path.display().to_string(), std::fs::read(&path).unwrap())).collect();
+    assert!(models.len() >= 56, "only {} models", models.len());
+    models
+}
+
 /// One test only, as the allocator counts for the whole process.
 #[test]
 fn import_takes_at_most_fifty_times_the_file() {
+    let mut most = 0.0_f64;
     for (name, text) in files() {
-        let before = ALLOCATOR.current_usage();
-        ALLOCATOR.reset_peak_usage();
-        let import = parse_obj(text.as_bytes()).unwrap();
-        let factor = (ALLOCATOR.peak_usage() - before) as f64 / text.len() as f64;
-        let faces = import.mesh.topology().face_count();
-        println!("{name}: {faces} faces, {} bytes, at the peak {factor:.1} times as much", text.len());
+        let (bytes, faces) = peak(text.as_bytes());
+        let factor = bytes as f64 / text.len() as f64;
+        println!("{name}: {} faces, {} bytes, at the peak {factor:.1} times as much", faces.unwrap(), text.len());
         assert!(factor <= MOST, "{name}: {factor:.1}");
         assert!(factor > 1.0, "{name}: nothing was counted");
+        most = most.max(factor);
     }
+    let mut most_of_models = 0.0_f64;
+    for (name, bytes) in models() {
+        // Where there is next to nothing to read, what any import takes is more than that.
+        let taken = peak(&bytes).0.saturating_sub(LEAST);
+        let factor = taken as f64 / bytes.len() as f64;
+        assert!(factor <= MOST, "{name}: {factor:.1} times its {} bytes", bytes.len());
+        most_of_models = most_of_models.max(factor);
+    }
+    println!("reached: {most:.1} times of 80,000 triangles, {most_of_models:.1} times of the models");
 }

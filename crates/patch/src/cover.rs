@@ -159,32 +159,60 @@ impl<'a> Cover<'a> {
 
 #[cfg(test)]
 mod tests {
+    #![allow(clippy::print_stdout, reason = "a test says what it measured")]
+
+    use std::f64::consts::TAU;
+
+    use glam::DVec3;
+
     use super::*;
+
+    /// A ring, a ball, one face, a fan of 5,000, a thousand balls of 20 faces, and a sheet with slivers and faces without area.
+    fn meshes() -> Vec<Mesh> {
+        let (torus, ball) = (pelage_mesh::torus(1.0, 0.4, 30, 12).unwrap(), pelage_mesh::sphere(1.0, 1).unwrap());
+        let triangle = Mesh::from_triangles(vec![DVec3::ZERO, DVec3::X, DVec3::Y], &[[0, 1, 2]]).unwrap();
+        let rim = (0..5000).map(|k| DVec3::new((TAU * f64::from(k) / 5000.0).cos(), 0.0, -(TAU * f64::from(k) / 5000.0).sin()));
+        let needles: Vec<[u32; 3]> = (0..5000).map(|k| [0, 1 + k, 1 + (k + 1) % 5000]).collect();
+        let fan = Mesh::from_triangles(std::iter::once(DVec3::ZERO).chain(rim).collect(), &needles).unwrap();
+        let count = ball.positions().len() as u32;
+        let copies = (0..1000).flat_map(|k| ball.positions().iter().map(move |&p| p + 3.0 * f64::from(k) * DVec3::X)).collect();
+        let faces: Vec<[u32; 3]> = (0..1000).flat_map(|k| ball.topology().triangles().map(move |t| t.map(|v| v + k * count))).collect();
+        let balls = Mesh::from_triangles(copies, &faces).unwrap();
+        let plane = pelage_mesh::plane(10.0, 10.0, 10, 10).unwrap();
+        let squeezed = |p: DVec3| DVec3::new(if p.x > 1.5 { p.x - 1.0 + 1e-8 } else { p.x.min(0.0) }, p.y, p.z);
+        let sheet = plane.with_positions(plane.positions().iter().map(|&p| squeezed(p)).collect()).unwrap();
+        vec![torus, ball, triangle, fan, balls, sheet]
+    }
 
     /// However small the splotches: as many patches as there are faces to cover at most, each with a face that was not covered, and then nothing is left.
     #[test]
     fn covering_takes_a_step_a_face_at_most() {
-        let mesh = pelage_mesh::torus(1.0, 0.4, 30, 12).unwrap();
-        let faces: Vec<FaceId> = mesh.topology().faces().map(Face::id).collect();
-        for patch_extent in [1e-6, 0.9, 100.0] {
-            let settings = Settings { patch_extent, ..Settings::for_mesh(&mesh) };
-            let shapes = face_shapes(&mesh, settings.tile_side);
-            let mut cover = Cover::new(mesh.topology(), &shapes, Wish { rotations: None, alignment: 0.0 }, &settings);
-            let mut uncovered = faces.len();
-            for round in &ROUNDS {
-                let before = cover.drafts.len();
-                cover.fill(&faces);
-                assert!(cover.drafts.len() - before <= uncovered, "{} patches for {uncovered} faces", cover.drafts.len() - before);
-                assert!(cover.grower.owners.iter().all(|&owner| owner != UNCOVERED));
-                let new = &cover.drafts[before..];
-                assert!(
-                    new.iter().all(|draft| !draft.faces.is_empty())
-                        && new.iter().map(|draft| draft.faces.len()).sum::<usize>() == uncovered
-                );
-                cover.dissolve(round);
-                cover.swell(round.swelling);
-                uncovered = cover.grower.owners.iter().filter(|&&owner| owner == UNCOVERED).count();
+        let mut most = 0.0_f64;
+        for mesh in meshes() {
+            let faces: Vec<FaceId> = mesh.topology().faces().map(Face::id).collect();
+            for patch_extent in [1e-6, 0.9, 100.0] {
+                let settings = Settings { patch_extent, ..Settings::for_mesh(&mesh) };
+                let shapes = face_shapes(&mesh, settings.tile_side);
+                let mut cover = Cover::new(mesh.topology(), &shapes, Wish { rotations: None, alignment: 0.0 }, &settings);
+                let mut uncovered = faces.len();
+                for round in &ROUNDS {
+                    let before = cover.drafts.len();
+                    cover.fill(&faces);
+                    let steps = cover.drafts.len() - before;
+                    assert!(steps <= uncovered, "{steps} patches for {uncovered} faces");
+                    most = most.max(steps as f64 / faces.len() as f64);
+                    assert!(cover.grower.owners.iter().all(|&owner| owner != UNCOVERED));
+                    let new = &cover.drafts[before..];
+                    assert!(
+                        new.iter().all(|draft| !draft.faces.is_empty())
+                            && new.iter().map(|draft| draft.faces.len()).sum::<usize>() == uncovered
+                    );
+                    cover.dissolve(round);
+                    cover.swell(round.swelling);
+                    uncovered = cover.grower.owners.iter().filter(|&&owner| owner == UNCOVERED).count();
+                }
             }
         }
+        println!("reached: {most:.2} F steps in a round at most");
     }
 }

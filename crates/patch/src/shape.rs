@@ -92,3 +92,50 @@ fn half_cotangents(lengths: [f64; 3]) -> [f64; 3] {
     let sum: f64 = squares.iter().sum();
     squares.map(|opposite| 0.5 * (sum - 2.0 * opposite) / four_areas)
 }
+
+#[cfg(test)]
+mod tests {
+    #![allow(clippy::print_stdout, reason = "a test says what it measured")]
+
+    use super::*;
+
+    /// The face over a base of 1 whose apex stands above its middle.
+    fn cap(height: f64) -> FaceShape {
+        FaceShape::new(DVec3::X, DVec3::new(0.5, height, 0.0), 0.0)
+    }
+
+    /// Of caps down to no height at all: weights no larger than a slack of 1e-6 of the mean side leaves, of which only those are changed that have less slack.
+    #[test]
+    fn caps_are_mollified_at_a_millionth_of_their_mean_side() {
+        let mut most = 0.0_f64;
+        for height in [1e-2, 1e-4, 1e-6, 1e-8, 0.0_f64] {
+            let lengths = [height.hypot(0.5), height.hypot(0.5), 1.0];
+            let mean = lengths.iter().sum::<f64>() / 3.0;
+            let slack = |[a, b, c]: [f64; 3]| a + b - c;
+            let made = mollified(lengths, 0.0);
+            let (before, after) = (slack(lengths), slack(made));
+            // To rounding, and no more than the least that does it: all sides by the same.
+            assert!(after >= 1e-6 * mean * (1.0 - 1e-9), "{height}: {after}");
+            let added = [0, 1, 2].map(|k| made[k] - lengths[k]);
+            assert!(added.iter().all(|a| (a - (1e-6 * mean - before).max(0.0)).abs() < 1e-15), "{height}: {added:?}");
+            assert_eq!(before >= 1e-6 * mean, made == lengths, "what has slack enough keeps every bit");
+            // An isosceles triangle with legs l and base b: half the cotangent at the base is b / 4h, and at the apex (h² − b²/4) / 2bh.
+            let [leg, _, base] = made;
+            let high = ((leg - 0.5 * base) * (leg + 0.5 * base)).sqrt();
+            let wanted = [0.25 * base / high, 0.25 * base / high, (high * high - 0.25 * base * base) / (2.0 * base * high)];
+            let weights = cap(height).weights;
+            // Corners 0 and 1 are at the base, which is the side from the one to the other.
+            assert!((0..3).all(|k| (weights[k] - wanted[k]).abs() < 1e-6 * wanted[k].abs()), "{height}: {weights:?} for {wanted:?}");
+            most = weights.iter().fold(most, |most, weight| most.max(weight.abs()));
+        }
+        println!("reached: weights {most:.0} at most");
+        // Of a cap without height, base 1, legs ½ (1 + 1e-6 · 4/3): a height of √(⅓ 1e-6).
+        assert!(most < 500.0, "{most}");
+        // Slivers of the other kind, needles, have slack on their short side alone, and are mollified alike.
+        let needle = FaceShape::new(DVec3::X, DVec3::new(1.0, 1e-9, 0.0), 0.0);
+        assert!(needle.weights.iter().all(|weight| weight.is_finite() && weight.abs() < 2e6), "{:?}", needle.weights);
+        // A face that is one point has the floor's sides.
+        let point = FaceShape::new(DVec3::ZERO, DVec3::ZERO, 1e-12);
+        assert!(point.weights.iter().all(|weight| weight.is_finite()) && point.degenerate);
+    }
+}

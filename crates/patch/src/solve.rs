@@ -190,6 +190,8 @@ fn largest(values: &[f64]) -> f64 {
 
 #[cfg(test)]
 mod tests {
+    #![allow(clippy::print_stdout, reason = "a test says what it measured")]
+
     use super::*;
     use crate::shape::face_shapes;
 
@@ -221,6 +223,7 @@ mod tests {
     /// On caps of a bent strip that can not be flat, down to those in which `f32` sees no height: the residual stays under the limit, and everything is finite.
     #[test]
     fn caps_leave_no_residual() {
+        let mut worst = 0.0_f64;
         for height in [1e-2, 1e-4, 1e-6, 1e-8] {
             let sheet = pelage_mesh::plane(8.0, 8.0, 8, 8).unwrap();
             // Every other row of vertices lies just beside the last, in waves, and the sheet is bent.
@@ -243,9 +246,11 @@ mod tests {
             system.correct(&patch, &rotations, &mut places).unwrap();
             let missing = missing_pull(&patch, &rotations, &places);
             let residual = largest(&missing.columns) / missing.size;
-            assert!(residual < RESIDUAL, "{residual} at {height}");
+            assert!(residual < 1e-8, "{residual} at {height}");
+            worst = worst.max(residual);
             solve(&patch, Wish { rotations: None, alignment: 0.0 }, &mut places).unwrap();
             assert!(places.iter().all(|place| place.is_finite()));
         }
+        println!("reached: residual {worst:.0e}");
     }
 }

@@ -364,6 +364,7 @@ fn opacity_that_is_shared_follows_the_power_law() {
     let alpha = 90.0_f32 / 255.0;
     let texel = support::samples::hair::encode([0.4 * alpha, 0.3 * alpha, 0.2 * alpha, alpha]);
     let image = MipImage { width: 1, height: 1, texels: texel.to_vec() };
+    let mut most = 0.0_f32;
     for layers in [0.0, 0.25, 1.0, 3.5] {
         for opacity in [0.0, 0.3, 1.0] {
             let mut stack = ShellTexture::stack(1, vec![image.clone()]);
@@ -377,6 +378,8 @@ fn opacity_that_is_shared_follows_the_power_law() {
             let one = 1.0 - (1.0 - alpha * opacity).powf(layers);
             let expected = 255.0 * (1.0 - (1.0 - one).powi(2));
             assert!((f32::from(covered) - expected).abs() < 1.5, "{layers} layers of {opacity}: {covered}, not {expected}");
+            most = most.max((f32::from(covered) - expected).abs());
         }
     }
+    println!("reached: {most:.1} of 255");
 }

@@ -1,8 +1,10 @@
 //! What grown hair promises.
 
-#![allow(clippy::unwrap_used, reason = "a test that cannot go on fails")]
+#![allow(clippy::unwrap_used, clippy::print_stdout, reason = "a test that cannot go on fails, and says what it measured")]
 
-use pelage_strand::{GrowSettings, MAX_STRANDS, Root, StrandError, StrandSource, StrandTile, Style, TileNoise, Undercoat, grow, grow_at};
+use pelage_strand::{
+    GrowSettings, MAX_STRANDS, Root, Strand, StrandError, StrandSource, StrandTile, Style, TileNoise, Undercoat, grow, grow_at,
+};
 use proptest::prelude::*;
 use std::f64::consts::TAU;
 
@@ -114,7 +116,7 @@ fn roots_moved_by_whole_tiles_grow_the_same_bits() {
     let settings = GrowSettings { count: 120, undercoat: Undercoat { count: 60, ..bare() }, clump: 0.5, ..GrowSettings::default() };
     let places: Vec<Root> = roots(&grow(&settings).unwrap()).iter().map(|r| Root::new(r[0], r[1]).unwrap()).collect();
     let home = grow_at(&settings, &places).unwrap();
-    for tiles in [[1, 0], [0, -1], [1000, -1000]] {
+    for tiles in [[1, 0], [0, -1], [-1, 1], [1000, -1000], [-1000, 1000]] {
         let moved: Vec<Root> = places.iter().map(|root| root.moved(tiles)).collect();
         let away = grow_at(&settings, &moved).unwrap();
         assert_eq!(away, home.moved(tiles));
@@ -122,6 +124,43 @@ fn roots_moved_by_whole_tiles_grow_the_same_bits() {
         let (a, b) = (home.strand(5).unwrap().plane_point(3).unwrap(), away.strand(5).unwrap().plane_point(3).unwrap());
         assert!((b[0] - a[0] - f64::from(tiles[0])).abs() < 1e-9);
     }
+}
+
+/// Given in the plane, each coordinate one number, strands come home within a hundredth of a texel of the finest images; kept as one `f32` they would not.
+#[test]
+fn toroidal_tile_given_as_one_number_is_within_a_hundredth_of_a_texel() {
+    const TEXELS: f64 = 2048.0;
+    let grown = grow(&GrowSettings { count: 200, ..GrowSettings::default() }).unwrap();
+    // With more digits than `f32` has, and moved by whole tiles.
+    let place =
+        |p: &[f32; 3], tiles: [f64; 2]| [f64::from(p[0]) / 1.000_07 + tiles[0], f64::from(p[1]) / 1.000_07 + tiles[1], f64::from(p[2])];
+    let moved = |tiles: [f64; 2]| {
+        let source = |s: Strand<'_>| StrandSource {
+            points: s.points.iter().map(|p| place(p, tiles)).collect(),
+            radii: s.radii.iter().map(|&r| f64::from(r)).collect(),
+            root_colour: s.root_colour,
+            tip_colour: s.tip_colour,
+        };
+        StrandTile::from_strands(grown.height(), &grown.strands().map(source).collect::<Vec<_>>()).unwrap()
+    };
+    let home = moved([0.0; 2]);
+    let (mut most, mut as_f32) = (0.0_f64, 0.0_f64);
+    for tiles in [[1.0, -1.0], [-1.0, 1.0], [1000.0, -1000.0], [-1000.0, 1000.0]] {
+        let away = moved(tiles);
+        for ((a, b), grown) in home.strands().zip(away.strands()).zip(grown.strands()) {
+            assert_eq!([0, 1].map(|axis| f64::from(b.cell[axis] - a.cell[axis])), tiles);
+            for ((p, q), grown) in a.points.iter().zip(b.points).zip(grown.points) {
+                for axis in 0..2 {
+                    most = most.max(TEXELS * (f64::from(p[axis]) - f64::from(q[axis])).abs());
+                    let there = place(grown, tiles)[axis];
+                    as_f32 = as_f32.max(TEXELS * (f64::from(there as f32) - there).abs());
+                }
+            }
+        }
+    }
+    println!("reached: {most:.4} texels of {TEXELS}");
+    println!("reached: {as_f32:.3} texels of {TEXELS} if a place were one f32");
+    assert!(most < 1e-3 && as_f32 > 0.01, "{most} {as_f32}");
 }
 
 #[test]

@@ -53,14 +53,19 @@ fn polynomial(x: f32, coefficients: [f32; 9]) -> f32 {
 
 #[cfg(test)]
 mod tests {
+    #![allow(clippy::print_stdout, reason = "a test says what it measured")]
+
     use super::*;
 
     #[test]
     fn the_polynomials_err_as_stated() {
+        let mut most = [0.0_f64; 2];
         for x in (-60_000..=60_000).map(|i| f64::from(i) * 1e-4) {
-            assert!((f64::from(centred_integral(x as f32)) + 0.5 - integral(x)).abs() < 4e-5, "{x}");
-            assert!((f64::from(even_bell(x as f32)) - bell(x)).abs() < 4.5e-4, "{x}");
+            let off = [f64::from(centred_integral(x as f32)) + 0.5 - integral(x), f64::from(even_bell(x as f32)) - bell(x)];
+            assert!(off[0].abs() < 4e-5 && off[1].abs() < 4.5e-4, "{x}: {off:?}");
+            most = [0, 1].map(|k| most[k].max(off[k].abs()));
         }
+        println!("reached: {:.0e} of the integral, {:.0e} of the bell; a byte's step is 4e-3", most[0], most[1]);
         for x in [50.0, 1e30, f32::INFINITY] {
             assert!((centred_integral(x) - 0.5).abs() < 1e-5 && (centred_integral(-x) + 0.5).abs() < 1e-5 && even_bell(x).abs() < 1e-4);
         }

@@ -76,8 +76,11 @@ fn blocks_past_the_edge_go_on_with_the_torus() {
 #[test]
 fn blocks_are_the_same_for_any_number_of_threads() {
     let stack = coat();
-    let pool = rayon::ThreadPoolBuilder::new().num_threads(1).build().unwrap();
-    assert_eq!(pool.install(|| stack.compressed()), stack.compressed());
+    let made = stack.compressed();
+    for threads in [1, 2, 8] {
+        let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
+        assert_eq!(pool.install(|| stack.compressed()), made, "{threads} threads");
+    }
 }
 
 proptest! {

@@ -1,6 +1,6 @@
 //! The rows "Gaussian sampling", "Toroidal tile" and "Shells" of the numbers at their extremes, as a stack's user sees them.
 
-#![allow(clippy::unwrap_used, reason = "a test that cannot go on fails")]
+#![allow(clippy::unwrap_used, clippy::print_stdout, reason = "a test that cannot go on fails, and says what it measured")]
 
 use pelage_strand::{GrowSettings, StrandSource, StrandTile, Style, Undercoat, grow};
 use pelage_volume::{FinSettings, ShellSettings, ShellStack, VolumeError, layers_for, sample_fin, sample_shells};
@@ -49,6 +49,7 @@ fn upright(count: u32, thickness: f64) -> StrandTile {
 
 #[test]
 fn gaussian_sampling_covers_what_thin_hair_covers_at_every_resolution() {
+    let mut most = 0.0_f64;
     // From three texels down to a thousandth of one at 32: a layer's mean is the sections' area. The second kind leans, waves and tapers.
     for thickness in [0.003, 0.01 / 32.0, 0.001 / 32.0] {
         let tile = upright(800, thickness);
@@ -67,26 +68,32 @@ fn gaussian_sampling_covers_what_thin_hair_covers_at_every_resolution() {
                     (covered - section).abs() < 0.01 * section + step,
                     "{thickness} at {resolution}, layer {layer}: {covered} of {section}"
                 );
+                most = most.max(((covered - section).abs() - step) / section);
                 let (covered, wanted) = (bent.mips[0].mean_coverage(layer), finest.mips[0].mean_coverage(layer));
                 assert!(
                     (covered - wanted).abs() < 0.01 * wanted + step,
                     "{thickness} at {resolution}, layer {layer}: {covered} of {wanted}"
                 );
+                most = most.max(((covered - wanted).abs() - step) / wanted);
             }
         }
     }
+    println!("reached: coverage within {:.2} % beside a byte's step", 100.0 * most);
 }
 
 #[test]
 fn toroidal_tile_moved_by_whole_tiles_is_the_same_hair() {
     let tile = grow(&GrowSettings { count: 150, undercoat: bare(), ..GrowSettings::default() }).unwrap();
     let home = sampled(&tile, 16, 64);
-    for tiles in [[1, -1], [-1, 0], [1000, -1000], [-1000, 1000]] {
+    let mut other = 0;
+    for tiles in [[1, -1], [-1, 1], [-1, 0], [1000, -1000], [-1000, 1000]] {
         assert_eq!(home, sampled(&tile.moved(tiles), 16, 64));
         // Given in the plane as one number, a place loses what f64 cannot hold: far less than a byte's step.
         let away = sampled(&shifted(&tile, tiles.map(f64::from)), 16, 64);
         assert!(home.mips[0].texels.iter().zip(&away.mips[0].texels).all(|(a, b)| a.abs_diff(*b) <= 1));
+        other += home.mips[0].texels.iter().zip(&away.mips[0].texels).filter(|(a, b)| a != b).count();
     }
+    println!("reached: the same bits; given as one number, {other} of {} bytes are a step off", 5 * home.mips[0].texels.len());
 }
 
 #[test]
@@ -94,13 +101,16 @@ fn toroidal_tile_is_the_same_hair_wherever_its_border_runs() {
     let tile = grow(&GrowSettings { count: 150, undercoat: bare(), ..GrowSettings::default() }).unwrap();
     let home = sampled(&tile, 16, 64);
     let moved = sampled(&shifted(&tile, [27.0 / 64.0, 50.0 / 64.0]), 16, 64);
+    let mut most = 0.0_f64;
     for layer in 1..16 {
         for i in 0..64 * 64 {
             let (x, y) = (i % 64, i / 64);
             let difference = alpha(&home, layer, x, y) - alpha(&moved, layer, (x + 27) % 64, (y + 50) % 64);
             assert!(difference.abs() < 2.5 / 255.0, "layer {layer} at {x}, {y}: {difference}");
+            most = most.max(255.0 * difference.abs());
         }
     }
+    println!("reached: {most:.0} steps");
 }
 
 #[test]
@@ -119,11 +129,14 @@ fn toroidal_tile_has_a_seam_that_cannot_be_told_from_the_middle() {
             }
         }
     }
+    let mut most = 0.0_f64;
     for lines in steps {
         let mean = lines[..63].iter().sum::<f64>() / 63.0;
         let deviation = (lines[..63].iter().map(|s| (s - mean).powi(2)).sum::<f64>() / 63.0).sqrt();
         assert!((lines[63] - mean).abs() < 3.0 * deviation, "{} against {mean} ± {deviation}", lines[63]);
+        most = most.max((lines[63] - mean).abs() / deviation);
     }
+    println!("reached: {most:.1} deviations of all lines");
 }
 
 #[test]
@@ -143,7 +156,9 @@ fn shells_pass_as_much_light_in_any_number_of_layers_where_hair_is_close() {
     // The edge of the domain: guard hairs alone, whose strands themselves let 2.4 % through along the normal. What is closer is kept better.
     let open = grow(&GrowSettings { undercoat: bare(), ..GrowSettings::default() }).unwrap();
     let closed = grow(&GrowSettings::default()).unwrap();
+    let mut reached = Vec::new();
     for (tile, limit, layers) in [(&open, 0.02, vec![8, 16, 64, 256]), (&closed, 0.004, vec![8, 48])] {
+        let (mut spread, mut off) = (0.0_f64, 0.0_f64);
         let strands = slopes().map(|slope| tile.transmittance(slope, 256).unwrap());
         assert!(strands[0] < 0.026, "{strands:?}");
         let through = |&layers: &u32| {
@@ -156,8 +171,11 @@ fn shells_pass_as_much_light_in_any_number_of_layers_where_hair_is_close() {
             let (least, most) = (all.iter().copied().fold(1.0, f64::min), all.iter().copied().fold(0.0, f64::max));
             assert!(most - least < limit, "{all:?} at angle {angle}");
             assert!((least - strands[angle]).abs().max((most - strands[angle]).abs()) < 0.025, "{all:?} of {}", strands[angle]);
+            (spread, off) = (spread.max(most - least), off.max((least - strands[angle]).abs()).max((most - strands[angle]).abs()));
         }
+        reached.push(format!("{spread:.4} among layer counts and {off:.3} from the strands"));
     }
+    println!("reached: guard hairs alone {}; with undercoat {}", reached[0], reached[1]);
 }
 
 #[test]
@@ -171,6 +189,7 @@ fn shells_of_upright_open_hair_show_it_once_however_many_layers() {
 #[test]
 fn shells_of_sparse_hair_pass_what_the_strands_do_from_the_stated_layer_count_up() {
     let slope = 75f64.to_radians().tan();
+    let mut reached = Vec::new();
     for count in [150, 400] {
         let tile = grow(&GrowSettings { count, undercoat: bare(), ..GrowSettings::default() }).unwrap();
         let wanted = tile.transmittance([slope, 0.0], 512).unwrap();
@@ -179,8 +198,11 @@ fn shells_of_sparse_hair_pass_what_the_strands_do_from_the_stated_layer_count_up
         assert!((80..128).contains(&enough), "{enough}");
         assert!((through(enough) - wanted).abs() < 0.02, "{} of {wanted}", through(enough));
         // Fewer leave gaps between the sections, which is what the count is for.
-        assert!(through(enough / 4) - wanted > 0.04);
+        let (kept, too_few) = (through(enough) - wanted, through(enough / 4) - wanted);
+        assert!(too_few > 0.04);
+        reached.push(format!("{count} hairs: {:.3} off with {enough} layers, {too_few:.3} with {}", kept.abs(), enough / 4));
     }
+    println!("reached: {}", reached.join("; "));
 }
 
 #[test]
@@ -188,10 +210,13 @@ fn shells_along_the_normal_neither_thin_nor_thicken_as_layers_double() {
     // Slanted hair is whole seen along the normal however far the layers are apart: the core of one begins where the next one's ends.
     let tile = grow(&GrowSettings { count: 60, lean: 50.0, style: Style::Straight, undercoat: bare(), ..GrowSettings::default() }).unwrap();
     let wanted = tile.transmittance([0.0, 0.0], 512).unwrap();
+    let mut most = 0.0_f64;
     for layers in [8, 16, 32] {
         let open = sampled(&tile, layers, 512).transmittance(0, [0.0, 0.0]).unwrap();
         assert!((open - wanted).abs() < 0.03, "{layers} layers: {open} of {wanted}");
+        most = most.max((open - wanted).abs());
     }
+    println!("reached: {most:.3} from the strands");
 }
 
 #[test]

@@ -137,6 +137,8 @@ fn a_composite_is_premultiplied() {
 fn levels_are_made_of_the_finest_and_are_the_same_when_made_twice_and_by_any_number_of_threads() {
     let once = chain(11, MipRule::Transmittance);
     assert_eq!(once.with_levels().unwrap(), once);
-    let pool = rayon::ThreadPoolBuilder::new().num_threads(1).build().unwrap();
-    assert_eq!(pool.install(|| chain(11, MipRule::Transmittance)), once);
+    for threads in [1, 2, 8] {
+        let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
+        assert_eq!(pool.install(|| chain(11, MipRule::Transmittance)), once, "{threads} threads");
+    }
 }

@@ -43,13 +43,17 @@ pub(crate) fn models() -> Vec<(String, Mesh)> {
     models
 }
 
-pub(crate) fn assert_unit_and_tangent(name: &str, mesh: &Mesh, field: &DirectionField) {
+/// Gives by how much a vector is not unit or not tangent at most.
+pub(crate) fn assert_unit_and_tangent(name: &str, mesh: &Mesh, field: &DirectionField) -> f64 {
+    let mut worst = 0.0_f64;
     for ((vertex, v), n) in mesh.vertices().zip(field.vectors()).zip(mesh.vertex_normals()) {
         if vertex.is_referenced() && n != DVec3::ZERO {
             assert!((v.length() - 1.0).abs() < 1e-9, "{name}: {vertex:?} has {v}");
             assert!(v.dot(n).abs() < 1e-9, "{name}: {vertex:?} leaves its plane by {}", v.dot(n));
+            worst = worst.max((v.length() - 1.0).abs()).max(v.dot(n).abs());
         } else {
             assert_eq!(*v, DVec3::ZERO, "{name}: {vertex:?}");
         }
     }
+    worst
 }

@@ -76,7 +76,8 @@ pub fn parse_obj(bytes: &[u8]) -> Result<Import, ObjError> {
     let lines = statements.face_lines();
     let repaired = repair(soup, &RepairSettings::default()).map_err(|error| locate(error, &statements, &lines))?;
     let face_lines = repaired.polygons.iter().map(|&polygon| lines[polygon as usize]).collect();
-    Ok(Import { mesh: repaired.mesh, repairs: repaired.report, notes: statements.notes(), face_lines })
+    let notes = statements.notes().into_iter().chain(Note::coarse(repaired.mesh.positions())).collect();
+    Ok(Import { mesh: repaired.mesh, repairs: repaired.report, notes, face_lines })
 }
 
 /// Lets `tobj` parse the numbers.

@@ -2,6 +2,10 @@
 
 use std::fmt;
 
+use glam::DVec3;
+
+use crate::WELD_TOLERANCE;
+
 /// Something about an OBJ file that was left out.
 #[derive(Clone, Debug, PartialEq, Eq)]
 #[non_exhaustive]
@@ -22,6 +26,23 @@ pub enum Note {
         /// Its first word, as far as it can be shown.
         first: String,
     },
+    /// The model lies so far from the origin, or is so small, that a step of its coordinates is more than [`WELD_TOLERANCE`] of its longest side: what was finer
+    /// is lost.
+    CoarseCoordinates {
+        /// How many decimal digits of that side they hold, rounded down.
+        digits: u32,
+    },
+}
+
+impl Note {
+    /// [`Note::CoarseCoordinates`], if those of the vertices of a surface are.
+    pub(super) fn coarse(positions: &[DVec3]) -> Option<Self> {
+        let (low, high) = positions.iter().fold((DVec3::INFINITY, DVec3::NEG_INFINITY), |(low, high), p| (low.min(*p), high.max(*p)));
+        let farthest = low.abs().max(high.abs()).max_element();
+        // Halved first, as the whole may be too large for f64; below its normal range f64 has steps of one size.
+        let step = 0.5 * f64::EPSILON * farthest.max(f64::MIN_POSITIVE) / (0.5 * high - 0.5 * low).max_element();
+        (step > WELD_TOLERANCE).then(|| Self::CoarseCoordinates { digits: (-step.log10()).floor().max(0.0) as u32 })
+    }
 }
 
 impl fmt::Display for Note {
@@ -33,6 +54,13 @@ impl fmt::Display for Note {
             }
             Self::UnknownStatements { count, line, first } => {
                 write!(f, "statements of unknown kinds passed over: {count}, the first in line {line}: `{first}`")
+            }
+            Self::CoarseCoordinates { digits } => {
+                write!(
+                    f,
+                    "coordinates hold {digits} digits of the model's longest side, and finer shapes are lost: move it to the origin, or scale it up, \
+                     in the program that made it"
+                )
             }
         }
     }

@@ -1,3 +1,5 @@
+#![allow(clippy::print_stdout, reason = "a test says what it tried")]
+
 use super::*;
 
 fn import(text: &str) -> Import {
@@ -106,6 +108,18 @@ fn numbers_keep_all_their_digits() {
 }
 
 #[test]
+fn what_f32_cannot_hold_is_read_and_what_f64_cannot_is_refused_with_its_line() {
+    for large in ["1e39", "-3.5e38", "1e-46", "1e300"] {
+        let mesh = mesh(&format!("v 0 0 0\nv {large} 0 0\nv 0 {large} 0\nf 1 2 3\n"));
+        assert_eq!(mesh.positions()[1].x, large.parse::<f64>().unwrap());
+    }
+    for none in ["1e400", "-1e309", "inf", "-inf", "+Infinity", "nan", "NaN", "-nan"] {
+        let error = parse_obj(format!("v 0 0 0\nv 1 0 0\n\nv 0 {none} 0\nf 1 2 3\n").as_bytes()).unwrap_err();
+        assert!(error.line == Some(4) && matches!(error.fault, ObjFault::NotFinite { vertex: 3 } | ObjFault::BadVertex), "{none}: {error}");
+    }
+}
+
+#[test]
 fn faults_are_found_in_their_lines() {
     let check = |text: &str, line: Option<usize>, part: &str| {
         let error = parse_obj(text.as_bytes()).unwrap_err();
@@ -172,6 +186,7 @@ fn every_prefix_gives_a_mesh_or_an_error() {
             assert_eq!(import.mesh.topology().check(), Ok(()));
         }
     }
+    println!("reached: {} prefixes", whole.len());
 }
 
 #[test]
@@ -187,4 +202,5 @@ fn every_changed_byte_gives_a_mesh_or_an_error() {
             }
         }
     }
+    println!("reached: {} files", 256 * whole.len());
 }

@@ -10,7 +10,9 @@ pub enum RepairError {
     #[error("there is no face, so there is no surface")]
     NoFaces,
     /// No polygon has an area.
-    #[error("none of the {faces} faces has an area, so there is no usable surface; are all vertices at one place or on one line?")]
+    #[error(
+        "none of the {faces} faces has an area, so there is no usable surface; are all vertices at one place or on one line, or so far from the origin that rounding puts them there?"
+    )]
     NoSurface {
         /// How many polygons there are.
         faces: usize,

@@ -45,6 +45,28 @@ fn one_two_and_eight_threads_give_the_same_bytes() {
     }
 }
 
+/// The keys and hashes of a graph's values, whatever its nodes are called and in whatever order they stand.
+fn values(graph: &Graph) -> Vec<(String, u64)> {
+    let named = with_threads(&graph.check(&registry()).unwrap(), 2).unwrap();
+    let mut values: Vec<_> = named.into_iter().map(|(name, hash)| (name.split_once(' ').unwrap().1.to_owned(), hash)).collect();
+    values.sort();
+    values
+}
+
+#[test]
+fn moving_renaming_and_reordering_nodes_changes_no_byte() {
+    for (name, mut graph) in graphs().into_iter().step_by(3) {
+        let before = values(&graph);
+        let nodes: Vec<String> = graph.nodes.keys().map(ToString::to_string).collect();
+        for (k, node) in nodes.iter().enumerate() {
+            graph.rename(&registry(), node, &format!("other{k}")).unwrap();
+            graph.move_to(&format!("other{k}"), 40.0 * k as f64, -7.5).unwrap();
+        }
+        graph.nodes.reverse();
+        assert_eq!(values(&graph), before, "{name}");
+    }
+}
+
 #[test]
 fn opening_and_saving_a_saved_graph_changes_no_byte() {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../graphs");

@@ -120,6 +120,28 @@ pub fn decode(texel: [u8; 4]) -> [f32; 4] {
     [linear(texel[0]), linear(texel[1]), linear(texel[2]), f32::from(texel[3]) / 255.0]
 }
 
+/// A ball with a direction map, levels of detail, and hair that bends and is cut, or without these.
+pub fn furry(bent: bool, cut: bool, map: bool, levels: bool) -> Coat {
+    let hair = Recipe { layers: 6, resolution: 16, guard_hairs: 30, under_hairs: 30, radius: 0.05, levels, ..Recipe::default() }.grow();
+    let mut furry = coat(&shapes::sphere(4, 4.0), Style { length: 0.06, ..Style::default() }, &hair);
+    for i in 0..furry.surface.positions.len() {
+        let position = furry.surface.positions[i];
+        if bent {
+            furry.surface.bends[i] = 0.02 * position;
+        }
+        if cut {
+            furry.surface.ends[i] = (0.5 + 2.0 * position.x).clamp(0.0, 1.0);
+        }
+    }
+    if map {
+        let mut shells = (*furry.shells).clone();
+        let flat = |mip: &MipImage| MipImage { texels: [140, 120, 220, 0].repeat(mip.texels.len() / 4), ..mip.clone() };
+        shells.directions = Some(shells.mips.iter().map(flat).collect());
+        furry.shells = Arc::new(shells);
+    }
+    furry
+}
+
 /// A coat and the same once more somewhere else, in patches of its own behind the first's.
 pub fn twice(coat: &Coat, place: impl Fn(Vec3) -> Vec3) -> Coat {
     let mut pair = coat.clone();

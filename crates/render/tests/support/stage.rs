@@ -26,6 +26,11 @@ impl Stage {
         Self::on(headless().device(), headless().queue(), Target::new(TextureFormat::Rgba8UnormSrgb, 1))
     }
 
+    /// Likewise, into half floats, which show what bytes hide: numbers that are none, and what is less than half a step.
+    pub fn floating() -> Self {
+        Self::on(headless().device(), headless().queue(), Target::new(TextureFormat::Rgba16Float, 1))
+    }
+
     pub fn on(device: &Device, queue: &Queue, target: Target) -> Self {
         Self { device: device.clone(), queue: queue.clone(), renderer: Renderer::new(device, queue, target), size: SIZE }
     }
@@ -55,6 +60,16 @@ impl Stage {
     pub fn update(&self, prepared: &mut PreparedView, view: &View) {
         let viewpoint = self.viewpoint(view);
         self.renderer.update(&self.device, &self.queue, prepared, view, &viewpoint).expect("a view");
+    }
+
+    /// Draws a frame of floats over nothing and brings back its numbers: linear premultiplied colour and coverage.
+    pub fn numbers(&self, view: &PreparedView) -> Vec<[f32; 4]> {
+        let bytes = self.frame(view);
+        let numbers: Vec<f32> = match self.renderer.target().colour {
+            TextureFormat::Rgba32Float => bytes.as_chunks::<4>().0.iter().map(|bytes| f32::from_le_bytes(*bytes)).collect(),
+            _ => bytes.as_chunks::<2>().0.iter().map(|bytes| unpacked(u16::from_le_bytes(*bytes))).collect(),
+        };
+        numbers.as_chunks::<4>().0.to_vec()
     }
 
     /// Draws a frame over nothing and brings back its bytes: sRGB-encoded premultiplied colour and coverage.
@@ -89,7 +104,8 @@ impl Stage {
         let textures = Textures { sampled, resolved: (target.samples > 1).then_some(resolved), depth };
         let mut encoder = self.device.create_command_encoder(&CommandEncoderDescriptor::default());
         record(&mut encoder, &textures);
-        let stride = (4 * width).next_multiple_of(256);
+        let texel = target.colour.block_copy_size(None).expect("a plain format");
+        let stride = (texel * width).next_multiple_of(256);
         let buffer = self.device.create_buffer(&wgpu::BufferDescriptor {
             label: None,
             size: u64::from(stride * height),
@@ -105,7 +121,7 @@ impl Stage {
         self.device.poll(PollType::wait_indefinitely()).expect("the device answers");
         answered.recv().expect("an answer").expect("mapped");
         let bytes = buffer.slice(..).get_mapped_range().expect("mapped");
-        bytes.chunks_exact(stride as usize).flat_map(|row| row[..4 * width as usize].to_vec()).collect()
+        bytes.chunks_exact(stride as usize).flat_map(|row| row[..(texel * width) as usize].to_vec()).collect()
     }
 
     fn texture(&self, format: TextureFormat, sample_count: u32, usage: TextureUsages) -> wgpu::Texture {
@@ -145,6 +161,17 @@ impl Stage {
             }),
             ..RenderPassDescriptor::default()
         }));
+    }
+}
+
+/// A half float.
+fn unpacked(bits: u16) -> f32 {
+    let (sign, exponent, fraction) = (if bits >> 15 == 1 { -1.0 } else { 1.0 }, i32::from(bits >> 10 & 31), f32::from(bits & 1023));
+    match exponent {
+        31 if fraction == 0.0 => sign * f32::INFINITY,
+        31 => f32::NAN,
+        0 => sign * fraction * 2.0_f32.powi(-24),
+        _ => sign * (1.0 + fraction / 1024.0) * 2.0_f32.powi(exponent - 15),
     }
 }
 

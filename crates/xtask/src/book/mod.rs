@@ -1,5 +1,6 @@
-//! The book: built, checked, its node reference and its pictures made anew.
+//! The book: built, checked, its node reference, its pictures and what it says of extremes made anew.
 
+mod extremes;
 mod links;
 mod markdown;
 mod nodes;
@@ -24,6 +25,8 @@ pub(crate) enum What {
     Plots,
     /// Measure the saved sweeps anew, all or those named after it: their figures, plots, contact sheets and tables.
     Sweeps,
+    /// Run the tests that the page of extremes names, and write what each reached.
+    Extremes,
 }
 
 /// Makes the node reference and the tables of figures anew, what is asked for besides, and builds the book into `book/book`.
@@ -33,6 +36,7 @@ pub(crate) fn run(place: &Place, what: Option<What>, sweeps: &[String]) -> Resul
         Some(What::Pictures) => pictures::draw(place).and_then(|()| plot::draw(place))?,
         Some(What::Plots) => plot::draw(place)?,
         Some(What::Sweeps) => sweeps::measure(place, sweeps)?,
+        Some(What::Extremes) => extremes::write(place)?,
         None => {}
     }
     tables::write(place)?;
