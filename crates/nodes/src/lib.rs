@@ -27,6 +27,8 @@
 //! # Features
 //! `gpu` (default): drawing. Without it every node but those that make pictures evaluates, and nothing of wgpu is built.
 
+#[cfg(feature = "gpu")]
+mod budget;
 mod coat;
 mod creature;
 mod fields;
@@ -49,6 +51,8 @@ mod stats;
 #[cfg(feature = "gpu")]
 mod turns;
 
+#[cfg(feature = "gpu")]
+pub use budget::{Budget, FrameCost, FrameLimit, Quality, TableError};
 pub use coat::{LayFur, LengthsAs};
 pub use creature::{Animal, BodyPart, CreatureNode, PartFields, PartFur};
 pub use fields::{ColourRamp, DirectionConstraint, DirectionFieldNode, DirectionPoint, ImageField, PointFlow, ScalarRamp};

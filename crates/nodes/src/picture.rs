@@ -10,9 +10,9 @@ use pelage_render::{
     ShellDepth, ShellRange, View,
 };
 
-use crate::Framing;
 use crate::reads::drawn_parts;
 use crate::shading::linear;
+use crate::{Framing, Quality};
 
 /// The graphics device that all pictures of a run are drawn on.
 #[derive(Debug)]
@@ -143,6 +143,19 @@ pub enum LightingAt {
     },
 }
 
+impl From<&LightingAt> for LightingMode {
+    fn from(lighting: &LightingAt) -> Self {
+        match lighting {
+            LightingAt::Patches => Self::PerPatch,
+            LightingAt::Vertices => Self::PerVertex,
+            LightingAt::Pixels => Self::Formula,
+            LightingAt::Table { size, diffuse_by, specular_by } => {
+                Self::Table(TableLayout { size: *size as usize, u: diffuse_by.into(), v: specular_by.into() })
+            }
+        }
+    }
+}
+
 /// What runs evenly along an axis of the lighting table.
 #[derive(Clone, Debug, PartialEq, Param)]
 pub enum TableAxis {
@@ -179,6 +192,9 @@ pub struct RenderImage {
     /// How hair answers it.
     #[input]
     pub shading: Arc<Shading>,
+    /// How to draw, before what the parameters here say of it.
+    #[input]
+    pub budget: Option<Arc<Quality>>,
     /// Width and height.
     #[param(default = (960, 720), range = 1..=16384, unit = "pixels", effect = "fragments go with the area")]
     pub size: (u32, u32),
@@ -261,7 +277,10 @@ impl Evaluate for RenderImage {
         let gpu = cx.resource::<Gpu>()?;
         let background = Background { top: linear(self.background_top), bottom: linear(self.background_bottom) };
         let offscreen = Offscreen::new(gpu.headless(), self.size, self.samples)?;
-        let (coat, view) = (offscreen.upload(&self.fur)?, self.view());
+        let (coat, mut view) = (offscreen.upload(&self.fur)?, self.view());
+        if let Some(budget) = &self.budget {
+            budget.apply(&mut view.options);
+        }
         let picture = offscreen.render(&coat, &view, &background)?;
         let measured = cx.wants("frame") && self.repeat > 0;
         let times = if measured { Some(offscreen.time(&coat, &view, &background, self.repeat)?) } else { None };
@@ -293,14 +312,7 @@ impl RenderImage {
                     DepthMode::Tested => ShellDepth::Tested,
                     DepthMode::Coverage => ShellDepth::Coverage { threshold: 0.02 },
                 },
-                lighting: match &self.lighting {
-                    LightingAt::Patches => LightingMode::PerPatch,
-                    LightingAt::Vertices => LightingMode::PerVertex,
-                    LightingAt::Pixels => LightingMode::Formula,
-                    LightingAt::Table { size, diffuse_by, specular_by } => {
-                        LightingMode::Table(TableLayout { size: *size as usize, u: diffuse_by.into(), v: specular_by.into() })
-                    }
-                },
+                lighting: LightingMode::from(&self.lighting),
                 anisotropy: self.anisotropy as u16,
                 step_blur: self.step_blur as f32,
                 fin_rule: FinRule::from(&self.fins_on),

@@ -76,6 +76,8 @@ fn with_drawing(registry: Registry) -> Registry {
         .value::<Picture>("Picture", |picture| picture.rgba.len() + picture.coverage.len())
         .value::<crate::FrameReport>("FrameReport", |_| size_of::<crate::FrameReport>())
         .value::<crate::RayReport>("RayReport", |_| size_of::<crate::RayReport>())
+        .value::<crate::Quality>("Quality", |_| size_of::<crate::Quality>())
+        .node::<crate::Budget>()
         .node::<crate::RenderImage>()
         .node::<crate::ReferenceImage>()
         .node::<crate::SideBySide>()

@@ -1,0 +1,80 @@
+//! What a budget decides of a picture.
+
+use pelage_graph::{FaultKind, ParamSpec};
+use pelage_render::{Detail, LightingMode, Options};
+
+use crate::{LightingAt, ShellDetail};
+
+/// What a `RenderImage` is told of how to draw, before its own parameters; of what is `None` it decides itself.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Quality {
+    /// At which level of detail.
+    pub detail: Option<ShellDetail>,
+    /// Whether fins are drawn.
+    pub fins: Option<bool>,
+    /// Where lighting is evaluated.
+    pub lighting: Option<LightingAt>,
+    /// Whether lighting at pixels uses the direction map.
+    pub direction_map: Option<bool>,
+    /// Layers that each drawn shell shows.
+    pub march: Option<u32>,
+    /// Samples for each layer.
+    pub march_steps: Option<u32>,
+    /// How strongly hairs shade each other.
+    pub hair_shadow: Option<f64>,
+    /// How much finer a slanted footprint is filtered.
+    pub anisotropy: Option<u32>,
+}
+
+/// Takes one of a `RenderImage`'s parameters from a text.
+type Take = fn(&mut Quality, &ParamSpec, &str) -> Result<(), FaultKind>;
+
+/// The parameters that a budget may decide.
+const DECIDED: &[(&str, Take)] = &[
+    ("detail", |quality, param, text| set(&mut quality.detail, param.read(text))),
+    ("fins", |quality, param, text| set(&mut quality.fins, param.read(text))),
+    ("lighting", |quality, param, text| set(&mut quality.lighting, param.read(text))),
+    ("direction_map", |quality, param, text| set(&mut quality.direction_map, param.read(text))),
+    ("march", |quality, param, text| set(&mut quality.march, param.read(text))),
+    ("march_steps", |quality, param, text| set(&mut quality.march_steps, param.read(text))),
+    ("hair_shadow", |quality, param, text| set(&mut quality.hair_shadow, param.read(text))),
+    ("anisotropy", |quality, param, text| set(&mut quality.anisotropy, param.read(text))),
+];
+
+fn set<T>(field: &mut Option<T>, value: Result<T, FaultKind>) -> Result<(), FaultKind> {
+    *field = Some(value?);
+    Ok(())
+}
+
+impl Quality {
+    /// Their names.
+    pub(crate) fn decided() -> impl Iterator<Item = &'static str> {
+        DECIDED.iter().map(|(name, _)| *name)
+    }
+
+    /// Takes the value of a parameter, one of [`decided`](Self::decided), from a text.
+    pub(super) fn take(&mut self, param: &ParamSpec, text: &str) -> Result<(), FaultKind> {
+        DECIDED.iter().find(|(name, _)| *name == param.name).map_or(Ok(()), |(_, take)| take(self, param, text))
+    }
+
+    /// Puts what it decides in the place of what the options say.
+    pub(crate) fn apply(&self, options: &mut Options) {
+        let put = |option: &mut u32, value: Option<u32>| *option = value.unwrap_or(*option);
+        put(&mut options.march.layers, self.march);
+        put(&mut options.march.steps, self.march_steps);
+        options.fins = self.fins.unwrap_or(options.fins);
+        options.direction_map = self.direction_map.unwrap_or(options.direction_map);
+        if let Some(detail) = &self.detail {
+            options.detail = Detail::from(detail);
+        }
+        if let Some(lighting) = &self.lighting {
+            options.lighting = LightingMode::from(lighting);
+        }
+        if let Some(hair_shadow) = self.hair_shadow {
+            options.hair_shadow = hair_shadow as f32;
+        }
+        if let Some(anisotropy) = self.anisotropy {
+            options.anisotropy = anisotropy as u16;
+        }
+    }
+}
