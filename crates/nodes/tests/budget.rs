@@ -1,4 +1,5 @@
 //! A budget: which row of a measured table it draws by, what is wrong with a table, and that a picture does as it is told.
+#![cfg(feature = "gpu")]
 #![allow(clippy::unwrap_used, reason = "clippy excuses test functions only, not what they call")]
 
 use std::path::Path;

@@ -1,6 +1,6 @@
 //! What a budget decides of a picture.
 
-use pelage_graph::{FaultKind, ParamSpec};
+use pelage_graph::{FaultKind, Param, ParamSpec};
 use pelage_render::{Detail, LightingMode, Options};
 
 use crate::{LightingAt, ShellDetail};
@@ -27,22 +27,22 @@ pub struct Quality {
 }
 
 /// Takes one of a `RenderImage`'s parameters from a text.
-type Take = fn(&mut Quality, &ParamSpec, &str) -> Result<(), FaultKind>;
+type Take = fn(&mut Quality, &ParamSpec, &str) -> Result<(), Box<FaultKind>>;
 
 /// The parameters that a budget may decide.
 const DECIDED: &[(&str, Take)] = &[
-    ("detail", |quality, param, text| set(&mut quality.detail, param.read(text))),
-    ("fins", |quality, param, text| set(&mut quality.fins, param.read(text))),
-    ("lighting", |quality, param, text| set(&mut quality.lighting, param.read(text))),
-    ("direction_map", |quality, param, text| set(&mut quality.direction_map, param.read(text))),
-    ("march", |quality, param, text| set(&mut quality.march, param.read(text))),
-    ("march_steps", |quality, param, text| set(&mut quality.march_steps, param.read(text))),
-    ("hair_shadow", |quality, param, text| set(&mut quality.hair_shadow, param.read(text))),
-    ("anisotropy", |quality, param, text| set(&mut quality.anisotropy, param.read(text))),
+    ("detail", |quality, param, text| set(&mut quality.detail, param, text)),
+    ("fins", |quality, param, text| set(&mut quality.fins, param, text)),
+    ("lighting", |quality, param, text| set(&mut quality.lighting, param, text)),
+    ("direction_map", |quality, param, text| set(&mut quality.direction_map, param, text)),
+    ("march", |quality, param, text| set(&mut quality.march, param, text)),
+    ("march_steps", |quality, param, text| set(&mut quality.march_steps, param, text)),
+    ("hair_shadow", |quality, param, text| set(&mut quality.hair_shadow, param, text)),
+    ("anisotropy", |quality, param, text| set(&mut quality.anisotropy, param, text)),
 ];
 
-fn set<T>(field: &mut Option<T>, value: Result<T, FaultKind>) -> Result<(), FaultKind> {
-    *field = Some(value?);
+fn set<T: Param>(field: &mut Option<T>, param: &ParamSpec, text: &str) -> Result<(), Box<FaultKind>> {
+    *field = Some(param.read(text)?);
     Ok(())
 }
 
@@ -53,7 +53,7 @@ impl Quality {
     }
 
     /// Takes the value of a parameter, one of [`decided`](Self::decided), from a text.
-    pub(super) fn take(&mut self, param: &ParamSpec, text: &str) -> Result<(), FaultKind> {
+    pub(super) fn take(&mut self, param: &ParamSpec, text: &str) -> Result<(), Box<FaultKind>> {
         DECIDED.iter().find(|(name, _)| *name == param.name).map_or(Ok(()), |(_, take)| take(self, param, text))
     }
 

@@ -148,7 +148,7 @@ struct Columns<'p> {
 impl<'p> Columns<'p> {
     fn of(path: &'p Path, names: StringRecord, cost: &str) -> Result<Self, TableError> {
         let (camera, picture) = (CameraNode::specification(), RenderImage::specification());
-        let (mut margin, mut decided): (Option<(usize, ParamSpec)>, Vec<(usize, ParamSpec)>) = (None, Vec::new());
+        let (mut margin, mut decided) = (None::<(usize, ParamSpec)>, Vec::<(usize, ParamSpec)>::new());
         // What varies is called NODE.INPUT, what was measured has no dot.
         for (index, name) in names.iter().enumerate() {
             let Some((_, input)) = name.split_once('.') else { continue };
@@ -195,7 +195,7 @@ impl<'p> Columns<'p> {
         Ok(Row { margin: margin as f32, quality, cost: number(self.cost)?, error: number(self.error)? })
     }
 
-    fn misfit(&self, line: u64, at: usize, fault: FaultKind) -> TableError {
-        TableError::Value { path: self.path.to_owned(), line, column: self.names[at].to_owned(), fault: Box::new(fault) }
+    fn misfit(&self, line: u64, at: usize, fault: impl Into<Box<FaultKind>>) -> TableError {
+        TableError::Value { path: self.path.to_owned(), line, column: self.names[at].to_owned(), fault: fault.into() }
     }
 }
