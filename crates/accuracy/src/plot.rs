@@ -129,7 +129,7 @@ impl Sweep {
         draw_fronts(area, &axes, &series, &labels).map_err(|error| AccuracyError::Plot(error.to_string()))
     }
 
-    /// The values of each setting of a group, but for those that the whole group has, beside its point.
+    /// The values of each setting beside its point, where all settings are one group.
     fn labels(&self, group: &Group, points: &[(f64, f64)]) -> Vec<((f64, f64), String)> {
         // Points of many groups would hide each other's labels: their curves have names.
         if !self.grouped_by.is_empty() {

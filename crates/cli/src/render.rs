@@ -50,13 +50,18 @@ pub(crate) struct Render {
     overrides: Overrides,
 }
 
+/// Sizes the pool that nodes share their own work out to.
+pub(crate) fn use_threads(threads: Option<u16>) {
+    if let Some(threads) = threads {
+        // Fails only where a pool exists already, and none does this early.
+        let _ = rayon::ThreadPoolBuilder::new().num_threads(threads.into()).build_global();
+    }
+}
+
 impl Render {
     pub(crate) fn run(&self) -> Result<(), Failure> {
         self.check_files()?;
-        if let Some(threads) = self.threads {
-            // Fails only where a pool exists already, and none does this early.
-            let _ = rayon::ThreadPoolBuilder::new().num_threads(threads.into()).build_global();
-        }
+        use_threads(self.threads);
         let registry = pelage_nodes::registry();
         let mut graph = self.overrides.read(&self.graph, &registry)?;
         // What is wrong with the file goes before what is asked of it.

@@ -13,7 +13,7 @@ use clap::Args;
 
 use crate::failure::Failure;
 use crate::graph::Overrides;
-use crate::render::size;
+use crate::render::{size, use_threads};
 use description::{Description, assigned, varied};
 use plan::Plan;
 use results::Results;
@@ -77,10 +77,7 @@ impl Measure {
         if self.out.exists() && !self.out.is_dir() {
             return Err(Failure::Usage(format!("-o {}: that is a file; name a folder", self.out.display())));
         }
-        if let Some(threads) = self.threads {
-            // Fails only where a pool exists already, and none does this early.
-            let _ = rayon::ThreadPoolBuilder::new().num_threads(threads.into()).build_global();
-        }
+        use_threads(self.threads);
         let description = self.description()?;
         let rounds = self.rounds.or(description.rounds).unwrap_or(ROUNDS).max(1);
         let plan = Plan::new(&description, &self.overrides, self.size, MOST_SETTINGS)?;

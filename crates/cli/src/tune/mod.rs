@@ -16,7 +16,7 @@ use crate::measure::description::{Description, assigned, varied};
 use crate::measure::plan::{Plan, output_of};
 use crate::measure::{ROUNDS, run::How};
 use crate::output::{print, write_file};
-use crate::render::size;
+use crate::render::{size, use_threads};
 use report::Report;
 use sought::{Sought, number, timed_again};
 use trial::Bench;
@@ -101,10 +101,7 @@ impl Tune {
         if self.out.is_dir() {
             return Err(Failure::Usage(format!("-o {}: that is a folder; name a file", self.out.display())));
         }
-        if let Some(threads) = self.threads {
-            // Fails only where a pool exists already, and none does this early.
-            let _ = rayon::ThreadPoolBuilder::new().num_threads(threads.into()).build_global();
-        }
+        use_threads(self.threads);
         let (goal, cost) = self.goal()?;
         let description = self.description()?;
         let plan = Plan::new(&description, &self.overrides, self.size, MOST_SETTINGS)?;
