@@ -45,6 +45,7 @@ const FEATURES: &[(&str, &str, &str, &str)] = &[
     ("L11 all fins, whole", "figure4-e", "picture.fins_on", "Faded"),
     ("L16 a level by hand", "figure4-j", "picture.detail", "Level(level: 0.0)"),
     ("L16 fewer shells from afar", "levels", "far.detail", "Level(level: 0.0)"),
+    ("a budget that picks by distance", "budget", "near_budget.limit", "MaxError(flip: 0.5, cost: Fragments)"),
     ("L16 eight shells", "figure4", "picture.detail", "Level(level: 1.0)"),
     ("L15 directions by pixel", "shadows", "picture.direction_map", "false"),
     ("lighting by pixel", "shadows", "picture.lighting", "Vertices"),

@@ -25,13 +25,8 @@ fn draw(coat: &Coat, view: &View, background: &Background, size: (u32, u32)) -> 
     Ok(offscreen.render(&offscreen.upload(coat)?, view, background)?)
 }
 
-/// Draws the graph with a defect and says whether the golden noticed, whatever driver drew it.
+/// Draws the graph with a defect and says whether the golden noticed.
 fn noticed(name: &str, spoil: impl FnOnce(&mut Coat, &mut View)) -> Result<(), Error> {
-    noticed_by(Bounds::ACROSS_DRIVERS, name, spoil)
-}
-
-/// Likewise, by these bounds.
-fn noticed_by(bounds: Bounds, name: &str, spoil: impl FnOnce(&mut Coat, &mut View)) -> Result<(), Error> {
     let (scene, mut coat, mut view, background) = parts()?;
     let size = {
         let picture = scene.picture()?;
@@ -40,8 +35,8 @@ fn noticed_by(bounds: Bounds, name: &str, spoil: impl FnOnce(&mut Coat, &mut Vie
     spoil(&mut coat, &mut view);
     let comparison = Golden::read(GRAPH)?.compare(&draw(&coat, &view, &background, size)?)?;
     println!("{name}: FLIP mean {:.5}, 99th percentile {:.5}", comparison.mean, comparison.p99);
-    if comparison.within(bounds) {
-        Err(format!("{name}: {comparison:?} is within {bounds:?}: the bound is too wide").into())
+    if comparison.within(Bounds::KEPT) {
+        Err(format!("{name}: {comparison:?} is within {:?}: the bound is too wide", Bounds::KEPT).into())
     } else {
         Ok(())
     }
@@ -63,8 +58,7 @@ fn no_fins() -> Result<(), Error> {
 
 #[test]
 fn one_shell_left_out() -> Result<(), Error> {
-    // As little as another driver's rounding: the bounds of one driver see it.
-    noticed_by(Bounds::KEPT, "one shell left out", |_, view| view.options.layers = ShellRange { left_out: Some(9), ..view.options.layers })
+    noticed("one shell left out", |_, view| view.options.layers = ShellRange { left_out: Some(9), ..view.options.layers })
 }
 
 #[test]

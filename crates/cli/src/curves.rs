@@ -1,7 +1,6 @@
 //! `pelage curves`.
 
 use std::path::PathBuf;
-use std::sync::Arc;
 
 use clap::Args;
 use pelage_graph::{CheckedGraph, Request};
@@ -10,8 +9,7 @@ use pelage_nodes::Curves;
 use crate::failure::Failure;
 use crate::graph::{Overrides, with_files};
 use crate::output::write_file;
-use crate::progress::Progress;
-use crate::render::CACHE_BYTES;
+use crate::running::Running;
 
 /// The hair of a graph as curves: `x y z radius` a line, a blank line between strands; in diameters of the model about the centre of its bounding box.
 #[derive(Args)]
@@ -25,9 +23,8 @@ pub(crate) struct Export {
     /// Which output to write, when there are several: one of a StrandCurves node.
     #[arg(long, value_name = "NODE.PORT")]
     output: Option<String>,
-    /// No progress.
-    #[arg(short, long)]
-    quiet: bool,
+    #[command(flatten)]
+    running: Running,
     #[command(flatten)]
     overrides: Overrides,
 }
@@ -38,8 +35,8 @@ impl Export {
         let graph = self.overrides.read(&self.graph, &registry)?;
         let checked = graph.check(&registry).map_err(|faults| with_files(faults, &graph, &registry, &self.graph))?;
         let output = self.output_of(&checked)?;
-        let progress = Arc::new(Progress::new(self.quiet, false));
-        let evaluation = pelage_nodes::evaluator(CACHE_BYTES).run(&checked, &Request::output(&output).with_observer(progress.clone()))?;
+        let progress = self.running.progress();
+        let evaluation = self.running.evaluator().run(&checked, &Request::output(&output).with_observer(progress.clone()))?;
         progress.finish(&evaluation);
         let mut text = Vec::new();
         let curves = evaluation.get::<Curves>(&output)?;

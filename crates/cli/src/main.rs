@@ -12,6 +12,7 @@ mod nodes;
 mod output;
 mod progress;
 mod render;
+mod running;
 mod survey;
 mod tune;
 

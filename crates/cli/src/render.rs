@@ -2,7 +2,6 @@
 
 use std::io::Cursor;
 use std::path::PathBuf;
-use std::sync::Arc;
 
 use clap::Args;
 use pelage_graph::{CheckedGraph, Evaluation, Graph, NodeId, Registry, Request};
@@ -12,10 +11,7 @@ use serde_json::json;
 use crate::failure::Failure;
 use crate::graph::{Overrides, with_files};
 use crate::output::write_file;
-use crate::progress::Progress;
-
-/// What a run may keep in memory for nodes that share results.
-pub(crate) const CACHE_BYTES: usize = 1 << 30;
+use crate::running::Running;
 
 #[derive(Args)]
 pub(crate) struct Render {
@@ -37,31 +33,16 @@ pub(crate) struct Render {
     /// Draw the frame N more times after a warm-up, for the figures.
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=100_000))]
     repeat: Option<u32>,
-    /// How many nodes run at a time, and on how many threads each; as many as there are cores without.
-    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=1024))]
-    threads: Option<u16>,
-    /// No progress.
-    #[arg(short, long)]
-    quiet: bool,
-    /// Say what each node did.
-    #[arg(short, long, conflicts_with = "quiet")]
-    verbose: bool,
+    #[command(flatten)]
+    running: Running,
     #[command(flatten)]
     overrides: Overrides,
-}
-
-/// Sizes the pool that nodes share their own work out to.
-pub(crate) fn use_threads(threads: Option<u16>) {
-    if let Some(threads) = threads {
-        // Fails only where a pool exists already, and none does this early.
-        let _ = rayon::ThreadPoolBuilder::new().num_threads(threads.into()).build_global();
-    }
 }
 
 impl Render {
     pub(crate) fn run(&self) -> Result<(), Failure> {
         self.check_files()?;
-        use_threads(self.threads);
+        let mut evaluator = self.running.evaluator();
         let registry = pelage_nodes::registry();
         let mut graph = self.overrides.read(&self.graph, &registry)?;
         // What is wrong with the file goes before what is asked of it.
@@ -69,11 +50,7 @@ impl Render {
         let output = self.output_of(&graph)?;
         self.apply_options(&mut graph, &registry, &output)?;
         let checked = graph.check(&registry).map_err(|faults| faults.with_path(&self.graph))?;
-        let progress = Arc::new(Progress::new(self.quiet, self.verbose));
-        let mut evaluator = pelage_nodes::evaluator(CACHE_BYTES);
-        if let Some(threads) = self.threads {
-            evaluator = evaluator.threads(threads.into());
-        }
+        let progress = self.running.progress();
         if self.stats.is_some() && !makes_pictures(&registry, &graph, &output) {
             return Err(Failure::Input(format!("--stats: {output} is no picture; ask for an output of a RenderImage node")));
         }

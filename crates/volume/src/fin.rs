@@ -39,7 +39,7 @@ pub struct FinSettings {
 
 impl Default for FinSettings {
     fn default() -> Self {
-        Self { width: 512, height: 64, slab_width: 0.06, tiles_across: 3, across: FinAcross::S, sigma: 0.3 }
+        Self { width: 512, height: 64, slab_width: 0.12, tiles_across: 3, across: FinAcross::S, sigma: 0.3 }
     }
 }
 

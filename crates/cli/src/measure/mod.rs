@@ -13,10 +13,12 @@ use clap::Args;
 
 use crate::failure::Failure;
 use crate::graph::Overrides;
-use crate::render::{size, use_threads};
+use crate::render::size;
+use crate::running::Running;
 use description::{Description, assigned, varied};
 use plan::Plan;
 use results::Results;
+use run::Engine;
 
 /// Times that each frame is timed, where nothing is said.
 pub(crate) const ROUNDS: u32 = 9;
@@ -59,15 +61,8 @@ pub(crate) struct Measure {
     /// The folder to write sweep.csv, sweep.json, sweep.svg and sheet.png to.
     #[arg(short, long = "out", value_name = "DIR")]
     out: PathBuf,
-    /// How many nodes run at a time, and on how many threads each; as many as there are cores without.
-    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=1024))]
-    threads: Option<u16>,
-    /// No progress and no table.
-    #[arg(short, long)]
-    quiet: bool,
-    /// Say what each node did.
-    #[arg(short, long, conflicts_with = "quiet")]
-    verbose: bool,
+    #[command(flatten)]
+    running: Running,
     #[command(flatten)]
     overrides: Overrides,
 }
@@ -77,13 +72,13 @@ impl Measure {
         if self.out.exists() && !self.out.is_dir() {
             return Err(Failure::Usage(format!("-o {}: that is a file; name a folder", self.out.display())));
         }
-        use_threads(self.threads);
+        let mut engine = Engine::new(&self.running);
         let description = self.description()?;
         let rounds = self.rounds.or(description.rounds).unwrap_or(ROUNDS).max(1);
         let plan = Plan::new(&description, &self.overrides, self.size, MOST_SETTINGS)?;
-        let measured = run::measure(&plan, &run::How { rounds, threads: self.threads, quiet: self.quiet, verbose: self.verbose })?;
+        let measured = run::measure(&plan, &mut engine, rounds)?;
         let results = Results::new(&description, &plan, &measured, rounds);
-        if !self.quiet {
+        if !self.running.quiet {
             crate::output::print(&results.to_table())?;
         }
         results.write(&self.out, sheet::draw(&measured)?)

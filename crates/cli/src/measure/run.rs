@@ -9,16 +9,7 @@ use rayon::prelude::*;
 use super::errors::Errors;
 use super::plan::{Plan, Setting};
 use crate::failure::Failure;
-use crate::progress::Progress;
-use crate::render::CACHE_BYTES;
-
-/// How to go about it.
-pub(crate) struct How {
-    pub(crate) rounds: u32,
-    pub(crate) threads: Option<u16>,
-    pub(crate) quiet: bool,
-    pub(crate) verbose: bool,
-}
+use crate::running::Running;
 
 /// All there is to know.
 pub(crate) struct Measured {
@@ -37,8 +28,8 @@ pub(crate) struct MeasuredSetting {
     pub(crate) errors: Errors,
 }
 
-pub(crate) fn measure(plan: &Plan, how: &How) -> Result<Measured, Failure> {
-    let mut engine = Engine::new(how);
+/// Draws every setting, then times each frame so many times.
+pub(crate) fn measure(plan: &Plan, engine: &mut Engine<'_>, rounds: u32) -> Result<Measured, Failure> {
     let mut references: Vec<Option<Arc<Picture>>> = vec![None; plan.references.len()];
     let mut drawn = Vec::new();
     for (index, setting) in plan.settings.iter().enumerate() {
@@ -52,7 +43,7 @@ pub(crate) fn measure(plan: &Plan, how: &How) -> Result<Measured, Failure> {
         drawn.push((picture, reference, contender));
     }
     let contenders: Vec<Contender> = drawn.iter().map(|(_, _, contender)| contender.clone()).collect();
-    let times = times(plan, &contenders, how.rounds)?;
+    let times = times(plan, &contenders, rounds)?;
     let measured = |(index, (picture, reference, contender)): (usize, (Arc<Picture>, Arc<Picture>, Contender))| {
         let about = || plan.settings[index].values.join(", ");
         let errors = Errors::of(&reference, &picture).map_err(|error| Failure::input(about(), &error))?;
@@ -91,16 +82,12 @@ pub(crate) fn times_of(rounds: &[Vec<f64>], index: usize) -> [f64; 3] {
 /// What evaluates: one cache for all, so that only what a setting changes is made again.
 pub(crate) struct Engine<'a> {
     evaluator: Evaluator,
-    how: &'a How,
+    running: &'a Running,
 }
 
 impl<'a> Engine<'a> {
-    pub(crate) fn new(how: &'a How) -> Self {
-        let mut evaluator = pelage_nodes::evaluator(CACHE_BYTES);
-        if let Some(threads) = how.threads {
-            evaluator = evaluator.threads(threads.into());
-        }
-        Self { evaluator, how }
+    pub(crate) fn new(running: &'a Running) -> Self {
+        Self { evaluator: running.evaluator(), running }
     }
 
     /// What settings are measured against. An equal one that was made before is in the cache.
@@ -121,7 +108,7 @@ impl<'a> Engine<'a> {
     }
 
     fn run(&mut self, graph: &CheckedGraph, request: Request, title: &str) -> Result<Evaluation, Failure> {
-        let progress = Arc::new(Progress::new(self.how.quiet, self.how.verbose));
+        let progress = self.running.progress();
         progress.title(title);
         let evaluation = self.evaluator.run(graph, &request.with_observer(progress.clone()));
         progress.clear();

@@ -8,7 +8,8 @@ use pelage_nodes::{FrameReport, Stats};
 
 use crate::failure::Failure;
 use crate::progress::Progress;
-use crate::render::{CACHE_BYTES, makes_pictures, node_of};
+use crate::render::{makes_pictures, node_of};
+use crate::running::CACHE_BYTES;
 
 /// The graph, and which of its inputs are set for each picture.
 pub(crate) struct Pipeline {

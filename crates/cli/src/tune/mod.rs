@@ -14,9 +14,10 @@ use crate::failure::Failure;
 use crate::graph::{Overrides, with_files};
 use crate::measure::description::{Description, assigned, varied};
 use crate::measure::plan::{Plan, output_of};
-use crate::measure::{ROUNDS, run::How};
+use crate::measure::{ROUNDS, run::Engine};
 use crate::output::{print, write_file};
-use crate::render::{size, use_threads};
+use crate::render::size;
+use crate::running::Running;
 use report::Report;
 use sought::{Sought, number, timed_again};
 use trial::Bench;
@@ -72,15 +73,8 @@ pub(crate) struct Tune {
     /// The graph to write, with what was chosen.
     #[arg(short, long = "out", value_name = "OUT.ron")]
     out: PathBuf,
-    /// How many nodes run at a time, and on how many threads each; as many as there are cores without.
-    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=1024))]
-    threads: Option<u16>,
-    /// No progress and no table.
-    #[arg(short, long)]
-    quiet: bool,
-    /// Say what each node did.
-    #[arg(short, long, conflicts_with = "quiet")]
-    verbose: bool,
+    #[command(flatten)]
+    running: Running,
     #[command(flatten)]
     overrides: Overrides,
 }
@@ -101,13 +95,12 @@ impl Tune {
         if self.out.is_dir() {
             return Err(Failure::Usage(format!("-o {}: that is a folder; name a file", self.out.display())));
         }
-        use_threads(self.threads);
+        let engine = Engine::new(&self.running);
         let (goal, cost) = self.goal()?;
         let description = self.description()?;
         let plan = Plan::new(&description, &self.overrides, self.size, MOST_SETTINGS)?;
-        let how = How { rounds: self.rounds, threads: self.threads, quiet: self.quiet, verbose: self.verbose };
         let counts: Vec<usize> = description.vary.values().map(Vec::len).collect();
-        let mut bench = Bench::new(&plan, cost, &how)?;
+        let mut bench = Bench::new(&plan, cost, engine, self.rounds)?;
         let sought = self.seek(goal, &counts, &mut bench)?;
         let sought = if cost == Cost::Ms { timed_again(goal, sought, &counts, |numbers| bench.time_again(numbers))? } else { sought };
         let (report, number) = (Report::new(&plan, cost, bench.tried()), number(&counts, &sought.trial.setting));
@@ -115,7 +108,7 @@ impl Tune {
             return Err(self.out_of_reach(&report, goal, &sought, &plan.settings[number].values));
         }
         let text = self.tuned(&description, &plan, number)?;
-        if !self.quiet {
+        if !self.running.quiet {
             print(&report.to_text(number, sought.settled))?;
         }
         write_file(&self.out, text.as_bytes())

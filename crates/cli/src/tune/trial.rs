@@ -8,7 +8,7 @@ use super::Cost;
 use crate::failure::Failure;
 use crate::measure::errors::Errors;
 use crate::measure::plan::Plan;
-use crate::measure::run::{Engine, How, times_of};
+use crate::measure::run::{Engine, times_of};
 
 /// A setting that was tried.
 pub(super) struct Tried {
@@ -26,7 +26,7 @@ pub(super) struct Tried {
 pub(super) struct Bench<'a> {
     plan: &'a Plan,
     cost: Cost,
-    how: &'a How,
+    rounds: u32,
     engine: Engine<'a>,
     truth: Arc<Picture>,
     clock: Option<Clock>,
@@ -35,12 +35,11 @@ pub(super) struct Bench<'a> {
 
 impl<'a> Bench<'a> {
     /// Makes the picture to measure against.
-    pub(super) fn new(plan: &'a Plan, cost: Cost, how: &'a How) -> Result<Self, Failure> {
-        let mut engine = Engine::new(how);
+    pub(super) fn new(plan: &'a Plan, cost: Cost, mut engine: Engine<'a>, rounds: u32) -> Result<Self, Failure> {
         // There is one, as no cases are and no setting has its own.
         let truth = engine.reference(plan, 0)?;
         let clock = if cost == Cost::Ms { Some(Clock::new(engine.draw(plan, &plan.start, "the graph as it is")?.1)?) } else { None };
-        Ok(Self { plan, cost, how, engine, truth, clock, tried: Vec::new() })
+        Ok(Self { plan, cost, rounds, engine, truth, clock, tried: Vec::new() })
     }
 
     /// Cost and error of a setting.
@@ -51,7 +50,7 @@ impl<'a> Bench<'a> {
         let errors = Errors::of(&self.truth, &picture).map_err(|error| Failure::input(&values, &error))?;
         let fragments = contender.report().stats.fragments.map(|fragments| fragments.total());
         let bytes = contender.texture_bytes();
-        let ms = self.clock.as_mut().map(|clock| clock.time(vec![contender], self.how.rounds)).transpose()?;
+        let ms = self.clock.as_mut().map(|clock| clock.time(vec![contender], self.rounds)).transpose()?;
         let ms = ms.and_then(|ms| ms.first().copied());
         self.tried.push(Tried { number, fragments, bytes, ms, flip_mean: errors.flip_mean, flip_p99: errors.flip_p99 });
         let cost = match self.cost {
@@ -69,7 +68,7 @@ impl<'a> Bench<'a> {
         let Some(clock) = &mut self.clock else { return Ok(Vec::new()) };
         let (engine, plan) = (&mut self.engine, self.plan);
         let draw = |number: &usize| Ok::<_, Failure>(engine.draw(plan, &plan.settings[*number], "timed again")?.1);
-        let all = clock.time(numbers.iter().map(draw).collect::<Result<_, _>>()?, self.how.rounds)?;
+        let all = clock.time(numbers.iter().map(draw).collect::<Result<_, _>>()?, self.rounds)?;
         for (number, ms) in numbers.iter().zip(&all) {
             self.tried.iter_mut().filter(|one| one.number == *number).for_each(|one| one.ms = Some(*ms));
         }

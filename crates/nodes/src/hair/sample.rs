@@ -102,7 +102,7 @@ pub enum FinDirection {
 
 /// A fin: a slab of the hair, composited as it is seen from its side (L9).
 #[derive(Node)]
-#[node(category = "Hair", version = 2)]
+#[node(category = "Hair", version = 3)]
 #[output(fin: FinTexture, "The fin.")]
 pub struct SampleFin {
     /// The hair; it may be other hair than the shells'.
@@ -112,7 +112,7 @@ pub struct SampleFin {
     #[param(default = (512, 64), range = 1..=8192, unit = "texels", effect = "more: finer hair at the silhouette")]
     pub size: (u32, u32),
     /// Depth of the slab.
-    #[param(default = 0.06, range = 0.001..=1.0, unit = "tile sides", effect = "deeper: denser fins")]
+    #[param(default = 0.12, range = 0.001..=1.0, unit = "tile sides", effect = "deeper: denser fins")]
     pub slab_width: f64,
     /// Tiles that the fin shows side by side.
     #[param(default = 3, range = 1..=64, unit = "tiles", effect = "more: fins repeat less, with fewer texels a hair")]

@@ -50,6 +50,7 @@ const PICTURES: &[Picture] = &[
     Picture { file: "ring.png", graph: "graphs/ring.ron", set: &[], size: HALF },
     Picture { file: "ball.png", graph: "graphs/ball.ron", set: &[], size: HALF },
     Picture { file: "die.png", graph: "graphs/die.ron", set: &[], size: HALF },
+    Picture { file: "budget.png", graph: "graphs/budget.ron", set: &[], size: "" },
     Picture { file: "levels.png", graph: "graphs/levels.ron", set: &[], size: "" },
     Picture { file: "shadows.png", graph: "graphs/shadows.ron", set: &[], size: HALF },
     Picture { file: "shadows-off.png", graph: "graphs/shadows.ron", set: &["picture.shadows=false"], size: HALF },
