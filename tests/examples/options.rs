@@ -65,7 +65,7 @@ const GROUPS: &[Group] = &[
             ("a quarter", &[("picture.detail", "Level(level: 2.0)")]),
             ("an eighth", &[("picture.detail", "Level(level: 3.0)")]),
             ("the skin alone", &[("picture.detail", "Level(level: 4.0)")]),
-            ("half way to half", &[("picture.detail", "Level(level: 0.75)")]),
+            ("between the finest and half, at level 0.75", &[("picture.detail", "Level(level: 0.75)")]),
         ],
         beside: "the finest",
         redraw: false,
