@@ -55,17 +55,21 @@ fn the_opacity_rule_leaves_less_than_half_of_the_dependence_on_the_number_of_she
 }
 
 #[test]
-fn the_axes_of_the_table_lower_the_error_of_the_highlight() {
+fn each_axis_of_the_table_lowers_the_error_of_its_part() {
     for (case, p99) in by_case("claim-table", "flip_p99") {
-        // Curls that point every way have no highlight to err in.
-        assert!(p99[2] < p99[0].max(0.03) && p99[2] < p99[1], "{case}: {p99:?}");
+        // The cosine to the half vector against its angle: the highlight.
+        assert!(p99[2] < 0.75 * p99[1], "{case}: {p99:?}");
+        // The angle to the light against its cosine: the diffuse part, where hair points at the light.
+        let points_at_the_light = !case.starts_with("bunny") && !case.ends_with("curly");
+        assert!(p99[2] < if points_at_the_light { 0.3 } else { 1.02 } * p99[0], "{case}: {p99:?}");
     }
 }
 
 #[test]
 fn blending_lowers_the_pop() {
     for (case, steps) in by_case("claim-blend", "flip_mean") {
-        assert!(steps.len() == 9 && steps[1..].iter().all(|step| *step < 0.9 * steps[0]), "{case}: {steps:?}");
+        let largest = steps[1..].iter().copied().fold(0.0, f64::max);
+        assert!(steps.len() == 9 && largest < 0.8 * steps[0], "{case}: {steps:?}");
     }
 }
 

@@ -251,8 +251,10 @@ fn what_cannot_be_measured_is_said_and_nothing_written() {
         "Sweep(graph: \"fur.ron\", cases: { \"model\": { \"a\": {}, \"b\": { \"coat.size\": 1 } } })",
     )
     .unwrap();
+    let budget = concat!(env!("CARGO_MANIFEST_DIR"), "/../../graphs/budget.ron");
     for (arguments, code, expected) in [
-        (&["--sweep", "caseless.ron"][..], 2, "model has no cases"),
+        (&[budget, "--output", "near.image", "--vary", "near.fins=false,true"][..], 1, "the budget of near decides it"),
+        (&["--sweep", "caseless.ron"], 2, "model has no cases"),
         (&["--sweep", "case.ron"], 1, "b: "),
         (&["fur.ron", "--vary", "shells.layers=1,2", "--group", "picture.fins"], 1, "picture.fins groups settings and does not vary"),
         (&["fur.ron", "--vary", "shels.layers=1,2"], 1, "did you mean shells"),

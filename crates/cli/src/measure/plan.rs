@@ -4,7 +4,7 @@ use std::path::Path;
 
 use indexmap::IndexMap;
 use pelage_graph::{CheckedGraph, Graph, Registry};
-use pelage_nodes::fur_of;
+use pelage_nodes::{Quality, fur_of};
 
 use super::description::Description;
 use crate::failure::Failure;
@@ -101,6 +101,7 @@ impl Plan {
         if let Some(unknown) = sweep.groups.iter().find(|name| !sweep.vary.contains_key(*name)) {
             return Err(Failure::Input(format!("{unknown} groups settings and does not vary; give --vary {unknown}=a,b,c, too")));
         }
+        refuse_what_a_budget_decides(&graph, &picture, sweep)?;
         let start = Setting::new(&setter, sweep, &graph, &picture, Vec::new(), 0)?;
         let mut plan = Self { picture, output, against, varied, grouped_by, start, settings: Vec::new(), references: Vec::new() };
         for case in cases(sweep) {
@@ -164,6 +165,18 @@ impl Plan {
         }
         let (graph, against) = (sweep.graph.display(), &self.against);
         Err(Failure::Input(format!("{graph}: {against} is no picture to measure against; its pictures are {}", pictures.join(", "))))
+    }
+}
+
+/// What a budget decides is not for a sweep to vary: every setting would be the same picture.
+fn refuse_what_a_budget_decides(graph: &Graph, picture: &str, sweep: &Description) -> Result<(), Failure> {
+    let has_budget = graph.nodes.iter().any(|(id, node)| id.as_str() == picture && node.fields.contains_key("budget"));
+    let decided = |target: &&String| target.split_once('.').is_some_and(|(node, input)| node == picture && Quality::decides(input));
+    match sweep.vary.keys().find(decided).filter(|_| has_budget) {
+        Some(target) => Err(Failure::Input(format!(
+            "{target} does not count, as the budget of {picture} decides it; vary it on a RenderImage without a budget"
+        ))),
+        None => Ok(()),
     }
 }
 

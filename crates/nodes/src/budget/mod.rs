@@ -28,7 +28,7 @@ pub enum FrameLimit {
     /// The cheapest setting within an error; if none is, the one that errs least.
     MaxError {
         /// The largest mean FLIP error, of the table's column `flip_mean`.
-        #[param(default = 0.05, range = 0.0..=1.0, unit = "FLIP", effect = "larger: cheaper pictures")]
+        #[param(default = 0.15, range = 0.0..=1.0, unit = "FLIP", effect = "larger: cheaper pictures")]
         flip: f64,
         /// What is to be little.
         #[param(default = FrameCost::Ms)]
@@ -53,7 +53,7 @@ pub enum FrameLimit {
 /// Of the distances in the table the one counts that is nearest to the camera's and not beyond it, or the nearest of all where the camera is closer than any: what errs little from there
 /// errs less from further away. Among equals the first row is taken.
 #[derive(Node)]
-#[node(category = "Picture", version = 1)]
+#[node(category = "Picture", version = 2)]
 #[output(quality: Quality, "How to draw, for a RenderImage.")]
 pub struct Budget {
     /// From where: its margin is the distance.
@@ -63,7 +63,7 @@ pub struct Budget {
     #[param]
     pub table: FilePath,
     /// What a picture may cost, or how far it may err.
-    #[param(default = FrameLimit::MaxError { flip: 0.05, cost: FrameCost::Ms })]
+    #[param(default = FrameLimit::MaxError { flip: 0.15, cost: FrameCost::Ms })]
     pub limit: FrameLimit,
 }
 

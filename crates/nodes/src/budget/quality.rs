@@ -52,6 +52,11 @@ impl Quality {
         DECIDED.iter().map(|(name, _)| *name)
     }
 
+    /// Whether a budget may decide an input of a `RenderImage`, which then does not count.
+    pub fn decides(input: &str) -> bool {
+        Self::decided().any(|name| name == input)
+    }
+
     /// Takes the value of a parameter, one of [`decided`](Self::decided), from a text.
     pub(super) fn take(&mut self, param: &ParamSpec, text: &str) -> Result<(), Box<FaultKind>> {
         DECIDED.iter().find(|(name, _)| *name == param.name).map_or(Ok(()), |(_, take)| take(self, param, text))

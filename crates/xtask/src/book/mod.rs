@@ -25,8 +25,10 @@ pub(crate) enum What {
     Plots,
     /// Measure the saved sweeps anew, all or those named after it: their figures, plots, contact sheets and tables.
     Sweeps,
-    /// Run the tests that the page of extremes names, and write what each reached.
+    /// Run the tests that the page of extremes names, and write what each reached. Wants the models that `PELAGE_MODELS` names.
     Extremes,
+    /// All of these: pictures, plots, sweeps and extremes.
+    All,
 }
 
 /// Makes the node reference and the tables of figures anew, what is asked for besides, and builds the book into `book/book`.
@@ -37,6 +39,12 @@ pub(crate) fn run(place: &Place, what: Option<What>, sweeps: &[String]) -> Resul
         Some(What::Plots) => plot::draw(place)?,
         Some(What::Sweeps) => sweeps::measure(place, sweeps)?,
         Some(What::Extremes) => extremes::write(place)?,
+        Some(What::All) => {
+            pictures::draw(place)?;
+            plot::draw(place)?;
+            sweeps::measure(place, sweeps)?;
+            extremes::write(place)?;
+        }
         None => {}
     }
     tables::write(place)?;
