@@ -60,7 +60,7 @@ fn paint_does_not_pass_through_the_air() {
     let (values, distances) =
         (ScalarField::strokes(&both, &painted, 0.0).unwrap(), ScalarField::distance_to_strokes(&both, &painted).unwrap());
     let count = sheet.positions().len();
-    assert!(values.values()[..count].iter().any(|&v| v == 1.0) && values.values()[count..].iter().all(|&v| v == 0.0));
+    assert!(values.values()[..count].contains(&1.0) && values.values()[count..].iter().all(|&v| v == 0.0));
     assert!(distances.values()[count..].iter().all(|&d| d == 10.0));
 }
 

@@ -29,7 +29,8 @@ fn values(nodes: &str) -> Vec<f32> {
 #[test]
 fn each_operation_does_what_it_says_with_a_field_and_with_a_number() {
     let a = values(r#""out": FieldMath(first: "a.values", operation: Add, number: 0.0)"#);
-    let operations: [(&str, fn(f32) -> f32); 9] = [
+    type By = fn(f32) -> f32;
+    let operations: [(&str, By); 9] = [
         ("Add", |a| a + 0.25),
         ("Subtract", |a| a - 0.25),
         ("Multiply", |a| a * 0.25),

@@ -33,7 +33,7 @@ fn mean(mesh: &Mesh, tiling: &PatchTiling, chosen: impl Fn(DVec3) -> bool) -> f6
 fn uneven(mesh: &Mesh, tiling: &PatchTiling) -> f64 {
     let all = densities(mesh, tiling);
     let off: f64 = all.iter().filter(|(_, density)| !(0.9..1.0 / 0.9).contains(density)).map(|(area, _)| area).sum();
-    off / mesh.area()
+    off.abs() / mesh.area()
 }
 
 fn settings(mesh: &Mesh) -> Settings {
@@ -70,7 +70,7 @@ fn coarse_and_dense_triangles_have_the_same_hair() {
             }
         }
         let (least, most) = all.iter().fold((f64::INFINITY, 0.0_f64), |(least, most), &d| (least.min(d), most.max(d)));
-        assert!(least > 0.95 && most < 1.05, "{name}: {all:?}");
+        assert!(least > 0.98 && most < 1.02, "{name}: {all:?}");
     }
 }
 
@@ -89,7 +89,7 @@ fn triangles_of_very_different_size_in_one_mesh_have_the_same_hair() {
         let tiling = grow(&sheet, combed, &settings(&sheet)).unwrap();
         let quarters = [(-1.0, -1.0), (-1.0, 1.0), (1.0, -1.0), (1.0, 1.0)];
         let densities = quarters.map(|(x, z)| mean(&sheet, &tiling, |p| p.x * x > 0.0 && p.z * z > 0.0));
-        println!("reached: quarters of 64 to 4,608 faces: {densities:.4?} of the wanted density");
+        println!("reached: quarters of 128 to 4,608 faces: {densities:.4?} of the wanted density");
         assert!(densities.iter().all(|d| (d - 1.0).abs() < 0.02), "{densities:?}");
     }
 }
