@@ -64,6 +64,18 @@ const FEATURES: &[(&str, &str, &str, &str)] = &[
     ("N9 the volume between layers", "marched", "picture.march_steps", "1"),
     ("L9 fins of other hair than the shells'", "guard", "fin.strands", "\"down.strands\""),
     ("L9 an artist's fin", "drawn", "fin.path", "graphs/images/plain.png"),
+    ("L18 noise in space", "spots", "dots.seed", "6"),
+    ("L18 a curve", "spots", "rosettes.course", "Straight"),
+    ("L18 arithmetic", "spots", "spotted.operation", "Greatest"),
+    ("L18 a mask", "spots", "back.threshold", "0.9"),
+    ("L18 colours mixed by numbers", "spots", "marks.second_colour", "(0.6, 0.1, 0.05)"),
+    ("L18 painted strokes", "strokes", "dark.strokes", "[]"),
+    ("L19 length painted", "strokes", "bare.to", "(1.0, 1.0)"),
+    ("L18 colours of a glTF model, blurred", "caterpillar", "soft.radius", "10.0"),
+    ("N5 length in a glTF model's alpha", "caterpillar", "coat.lengths_as", "Cut"),
+    ("L1 mirrored", "strokes", "other.scale", "(1.0, 1.0, 1.0)"),
+    ("L1 subdivided", "strokes", "pillow.times", "0"),
+    ("L1 simplified", "strokes", "bead.share", "0.01"),
 ];
 
 #[test]

@@ -1,9 +1,9 @@
 //! `pelage inspect`.
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 use clap::Args;
-use pelage_mesh::{Import, Quality, Summary, read_obj};
+use pelage_mesh::{Mesh, Quality, RepairReport, Summary, read_gltf, read_obj};
 use serde_json::json;
 
 use crate::failure::Failure;
@@ -11,17 +11,36 @@ use crate::output::print;
 
 #[derive(Args)]
 pub(crate) struct Inspect {
-    /// The model.
-    #[arg(value_name = "MODEL.obj")]
+    /// The model: Wavefront OBJ, or glTF where its name ends in `.glb` or `.gltf`.
+    #[arg(value_name = "MODEL")]
     model: PathBuf,
     /// As JSON.
     #[arg(long)]
     json: bool,
 }
 
+/// What is looked at, whichever format it came in.
+struct Import {
+    mesh: Mesh,
+    repairs: RepairReport,
+    notes: Vec<String>,
+}
+
+impl Import {
+    fn read(path: &Path) -> Result<Self, Failure> {
+        let is_gltf = path.extension().is_some_and(|end| ["glb", "gltf"].iter().any(|known| end.eq_ignore_ascii_case(known)));
+        if is_gltf {
+            let import = read_gltf(path).map_err(|error| Failure::Input(error.to_string()))?;
+            return Ok(Self { mesh: import.mesh, repairs: import.repairs, notes: import.notes.iter().map(ToString::to_string).collect() });
+        }
+        let import = read_obj(path).map_err(|error| Failure::Input(error.to_string()))?;
+        Ok(Self { mesh: import.mesh, repairs: import.repairs, notes: import.notes.iter().map(ToString::to_string).collect() })
+    }
+}
+
 impl Inspect {
     pub(crate) fn run(&self) -> Result<(), Failure> {
-        let import = read_obj(&self.model).map_err(|error| Failure::Input(error.to_string()))?;
+        let import = Import::read(&self.model)?;
         let (summary, quality) = (Summary::of(&import.mesh), Quality::of(&import.mesh));
         if self.json {
             return print(&format!("{:#}\n", as_json(&import, &summary, &quality)));
@@ -72,7 +91,7 @@ fn as_json(import: &Import, summary: &Summary, quality: &Quality) -> serde_json:
         "genus": summary.genus, "boundary_edges": summary.boundary_edges,
         "area": summary.area, "diameter": summary.diameter,
         "repairs": pelage_nodes::repair_counts(&import.repairs),
-        "notes": import.notes.iter().map(ToString::to_string).collect::<Vec<_>>(),
+        "notes": import.notes,
         "quality": {
             "faces_without_area": summary.faces_without_area, "mean_edge_length": summary.mean_edge_length,
             "edge_ratio": quality.edge_ratio, "angle_min_deg": quality.angle_min_deg, "angle_max_deg": quality.angle_max_deg,

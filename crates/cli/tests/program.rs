@@ -242,6 +242,10 @@ fn inspect_counts() {
         assert_eq!(counts[key], Value::from(count), "{key}");
     }
     assert!(run(&["inspect", "graphs/models/bunny.obj"]).1.contains("3674"));
+    let (code, out, error) = run(&["inspect", "graphs/models/caterpillar.glb", "--json"]);
+    assert_eq!(code, 0, "{error}");
+    let balls: Value = serde_json::from_str(&out).unwrap();
+    assert_eq!((&balls["components"], &balls["boundary_loops"]), (&Value::from(11), &Value::from(0)));
     let (code, _, error) = run(&["inspect", "Cargo.toml"]);
     assert_eq!(code, 1);
     assert!(error.contains("Cargo.toml"), "{error}");

@@ -1,11 +1,10 @@
 //! Colours on a surface.
 
-use glam::{DVec3, Vec3};
-use pelage_mesh::Mesh;
+use glam::{DVec3, Vec3, Vec4};
+use pelage_mesh::{HalfEdge, Mesh};
 
-use crate::image::Image;
 use crate::scalar::{mix, places_along};
-use crate::{FieldError, ScalarField};
+use crate::{FieldError, Image, ScalarField};
 
 /// A colour at each vertex, in linear light with the primaries of Rec. 709 (those of sRGB); 0 to 1 for what a surface reflects.
 #[derive(Clone, Debug, PartialEq)]
@@ -41,31 +40,49 @@ impl ColourField {
 
     /// The colour of an image at each vertex, and its alpha as an amount from 0 to 1, which fur lengths may be scaled by (N5).
     ///
-    /// `pixels` are rows from the top of `width` × `height` pixels, four bytes each: sRGB red, green, blue, and alpha. The image repeats in both
-    /// directions; (0, 0) of the texture coordinates is its lower left corner, (1, 1) its upper right. It is looked up between the four pixels around each corner's
-    /// coordinates, in linear light, and averaged over the corners at a vertex, so that at a texture seam both sides count. Colour is
+    /// It is looked up at each corner's coordinates, in linear light, and averaged over the corners at a vertex, so that at a texture seam both sides count. Colour is
     /// not weighted by alpha, which says nothing of how opaque a pixel is. Unreferenced vertices are black with alpha 0.
     ///
     /// # Errors
-    /// Where the mesh has no texture coordinates, or the bytes do not fit the size.
-    pub fn from_image(mesh: &Mesh, pixels: &[u8], width: u32, height: u32) -> Result<(Self, ScalarField), FieldError> {
-        let image = Image::new(pixels, width, height)?;
+    /// Where the mesh has no texture coordinates.
+    pub fn from_image(mesh: &Mesh, image: &Image<'_>) -> Result<(Self, ScalarField), FieldError> {
         let coordinates = mesh.texture_coordinates().ok_or(FieldError::NoTextureCoordinates)?;
-        let topology = mesh.topology();
-        let (mut colours, mut alphas) = (vec![Vec3::ZERO; topology.vertex_count()], vec![0.0; topology.vertex_count()]);
-        for vertex in topology.vertices() {
+        Self::from_samples(mesh, |corner| image.sample(coordinates[corner.index()]))
+    }
+
+    /// A colour and an amount for each face corner, the half-edge that starts there, averaged over the corners at a vertex. Unreferenced vertices are black with amount 0.
+    ///
+    /// # Errors
+    /// Where one is not finite.
+    pub fn from_corners(mesh: &Mesh, mut colour: impl FnMut(HalfEdge<'_, Mesh>) -> Vec4) -> Result<(Self, ScalarField), FieldError> {
+        Self::from_samples(mesh, |corner| colour(corner).to_array().map(f64::from))
+    }
+
+    fn from_samples(mesh: &Mesh, mut sample: impl FnMut(HalfEdge<'_, Mesh>) -> [f64; 4]) -> Result<(Self, ScalarField), FieldError> {
+        let count = mesh.positions().len();
+        let (mut colours, mut amounts) = (vec![Vec3::ZERO; count], vec![0.0; count]);
+        for vertex in mesh.vertices() {
             let (mut sum, mut count) = ([0.0; 4], 0.0);
             for corner in vertex.leaving() {
-                let sample = image.sample(coordinates[corner.index()]);
+                let sample = sample(corner);
                 (0..4).for_each(|k| sum[k] += sample[k]);
                 count += 1.0;
             }
             if count > 0.0 {
-                let [red, green, blue, alpha] = sum.map(|channel| (channel / count) as f32);
-                (colours[vertex.index()], alphas[vertex.index()]) = (Vec3::new(red, green, blue), alpha);
+                let [red, green, blue, amount] = sum.map(|channel| (channel / count) as f32);
+                (colours[vertex.index()], amounts[vertex.index()]) = (Vec3::new(red, green, blue), amount);
             }
         }
-        Ok((Self::new(colours)?, ScalarField::new(alphas)?))
+        Ok((Self::new(colours)?, ScalarField::new(amounts)?))
+    }
+
+    /// The mesh's own colours, and their alpha as an amount.
+    ///
+    /// # Errors
+    /// Where it has none.
+    pub fn of_vertices(mesh: &Mesh) -> Result<(Self, ScalarField), FieldError> {
+        let colours = mesh.colours().ok_or(FieldError::NoColours)?;
+        Ok((Self::new(colours.iter().map(|c| c.truncate()).collect())?, ScalarField::new(colours.iter().map(|c| c.w).collect())?))
     }
 
     /// The colours.
@@ -90,6 +107,30 @@ impl ColourField {
             return Err(FieldError::Length { values: amounts.values().len(), expected: self.values.len() });
         }
         Self::new(self.values.iter().zip(amounts.values()).map(|(&colour, &amount)| colour * amount).collect())
+    }
+
+    /// From this field's colours to another's as `amounts` go from 0 to 1, in linear light; amounts beyond are brought to the nearer end.
+    ///
+    /// # Errors
+    /// Where the fields are not of one mesh.
+    pub fn mixed(&self, other: &Self, amounts: &ScalarField) -> Result<Self, FieldError> {
+        let expected = self.values.len();
+        for values in [other.values.len(), amounts.values().len()] {
+            if values != expected {
+                return Err(FieldError::Length { values, expected });
+            }
+        }
+        let pairs = self.values.iter().zip(&other.values).zip(amounts.values());
+        // Exact at both ends.
+        Self::new(pairs.map(|((&a, &b), &t)| a * (1.0 - t.clamp(0.0, 1.0)) + b * t.clamp(0.0, 1.0)).collect())
+    }
+
+    /// A number of each colour.
+    ///
+    /// # Errors
+    /// Where the function gives a number that is not finite.
+    pub fn measured(&self, function: impl FnMut(Vec3) -> f32) -> Result<ScalarField, FieldError> {
+        ScalarField::new(self.values.iter().copied().map(function).collect())
     }
 
     /// How many bytes it holds, for a cache to count.

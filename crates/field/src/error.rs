@@ -73,16 +73,134 @@ pub enum FieldError {
     /// An image is sampled for a mesh that has no texture coordinates.
     #[error("the mesh has no texture coordinates to look an image up with; give each face corner a pair, or use a field without an image")]
     NoTextureCoordinates,
-    /// An image's bytes do not fit its size.
-    #[error("an image of {width} × {height} RGBA8 pixels needs {expected} bytes and at least one pixel, not {bytes} bytes")]
+    /// An image's pixels do not fit its size.
+    #[error("an image of {width} × {height} pixels needs {expected} numbers, four for each, and at least one pixel, not {numbers} numbers")]
     ImageSize {
         /// Pixels across.
         width: u32,
         /// Pixels down.
         height: u32,
-        /// Bytes given.
-        bytes: usize,
-        /// Bytes needed.
+        /// Numbers given.
+        numbers: usize,
+        /// Numbers needed.
         expected: u64,
     },
+    /// Colours are wanted of a mesh that has none.
+    #[error("the mesh has no colours of its own; read a model with a colour for each vertex, or use a field without them")]
+    NoColours,
+    /// A setting of a field by formula is out of its range.
+    #[error("{parameter} is {value}; give a number from {least} to {most}")]
+    Setting {
+        /// The setting.
+        parameter: &'static str,
+        /// Its value.
+        value: f64,
+        /// The least it may be.
+        least: f64,
+        /// The most it may be.
+        most: f64,
+    },
+    /// A range that starts where it ends.
+    #[error("the range to map from starts and ends at {0}; give it two different ends")]
+    EmptyRange(f64),
+    /// The points of a curve do not rise.
+    #[error("point {point} of the curve is at {at}, which is not after the one before; give at least two points, from left to right")]
+    CurvePoint {
+        /// The point, from 0.
+        point: usize,
+        /// Where it is.
+        at: f64,
+    },
+    /// A stroke without a point.
+    #[error("stroke {stroke} has no point; give it one, or remove it")]
+    EmptyStroke {
+        /// The stroke, from 0.
+        stroke: usize,
+    },
+    /// A number of a stroke is NaN, infinite or out of range.
+    #[error("stroke {stroke}: {parameter} is {value}; give a number from {least} to {most}")]
+    StrokeSetting {
+        /// The stroke, from 0.
+        stroke: usize,
+        /// Which number.
+        parameter: &'static str,
+        /// Its value.
+        value: f64,
+        /// The least it may be.
+        least: f64,
+        /// The most it may be.
+        most: f64,
+    },
+    /// A stroke's point is no place.
+    #[error("stroke {stroke}: point {point} is at {at}, which is no place; mend its coordinates")]
+    StrokePlace {
+        /// The stroke, from 0.
+        stroke: usize,
+        /// The point, from 0.
+        point: usize,
+        /// Where it is.
+        at: glam::DVec3,
+    },
+    /// A stroke's point is not on the surface.
+    #[error(
+        "stroke {stroke}: point {point}, at {at}, is {distance} diameters off the surface, more than the stroke's radius of {radius};          move it onto the surface, or make the stroke wider"
+    )]
+    StrokeOffSurface {
+        /// The stroke, from 0.
+        stroke: usize,
+        /// The point, from 0.
+        point: usize,
+        /// Where it is.
+        at: glam::DVec3,
+        /// How far off, in diameters.
+        distance: f64,
+        /// The stroke's radius, in diameters.
+        radius: f64,
+    },
+    /// A stroke leaves the surface between two points.
+    #[error(
+        "stroke {stroke}: half-way between points {point} and {} it is {distance} diameters off the surface, more than its radius of {radius};          put points between them", point + 1
+    )]
+    StrokeLeavesSurface {
+        /// The stroke, from 0.
+        stroke: usize,
+        /// The point before, from 0.
+        point: usize,
+        /// How far off at most, in diameters.
+        distance: f64,
+        /// The stroke's radius, in diameters.
+        radius: f64,
+    },
+    /// A stroke is too long for its width.
+    #[error("stroke {stroke} is {radii} radii long, more than {most}; cut it in pieces, or make it wider")]
+    StrokeTooLong {
+        /// The stroke, from 0.
+        stroke: usize,
+        /// Its length over its radius.
+        radii: f64,
+        /// The most that is painted.
+        most: f64,
+    },
+    /// No vertex is within reach of a stroke.
+    #[error(
+        "stroke {stroke} passes between the vertices without reaching one: its radius is {radius} diameters and the faces there have sides of {side};          make it wider, or subdivide the mesh"
+    )]
+    StrokeBetweenVertices {
+        /// The stroke, from 0.
+        stroke: usize,
+        /// Its radius, in diameters.
+        radius: f64,
+        /// The longest side of the face where it starts, in diameters.
+        side: f64,
+    },
+    /// The system of equations could not be solved.
+    #[error(
+        "the field could not be blurred: the mesh's equations have no solution in the range of numbers; mend faces of extreme shape, or blur less"
+    )]
+    Unsolved,
+}
+
+/// Whether a setting is in its range.
+pub(crate) fn check(parameter: &'static str, value: f64, (least, most): (f64, f64)) -> Result<(), FieldError> {
+    if (least..=most).contains(&value) { Ok(()) } else { Err(FieldError::Setting { parameter, value, least, most }) }
 }

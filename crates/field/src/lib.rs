@@ -1,6 +1,7 @@
 //! Fields on a surface: one value for each vertex.
 //!
-//! [`ScalarField`] holds numbers such as lengths, [`ColourField`] colours in linear light, and [`DirectionField`] unit tangents: which way fur lies.
+//! [`ScalarField`] holds numbers such as lengths, [`ColourField`] colours in linear light: constants, ramps, noise in space ([`Noise`]), painted strokes ([`Stroke`]), images
+//! ([`Image`]) and the mesh's own colours; calculated with, remapped ([`Course`]), masked, mixed and blurred. [`DirectionField`] unit tangents: which way fur lies.
 //! A direction field comes from one direction for the whole model, or from a few at chosen places and whirls, sources, sinks and saddles about
 //! others. It is unit and tangent everywhere, also where what is given says nothing, and tells where it cannot be continuous ([`singularities`]).
 //!
@@ -33,6 +34,7 @@
 //! Globally Optimal Direction Fields, SIGGRAPH 2013 (transport, indices, smoothness). E. L. Melvær, M. Reimers: Geodesic
 //! Polar Coordinates on Polygonal Meshes, Computer Graphics Forum 31(8), 2012 (directions about a place).
 
+mod blur;
 mod colour;
 mod completion;
 mod constraints;
@@ -40,17 +42,24 @@ mod direction;
 mod error;
 mod fan;
 mod image;
+mod noise;
 mod point;
 mod polar;
+mod remap;
 mod scalar;
 mod singularity;
+mod strokes;
 mod transport;
 
+pub use self::noise::{Noise, NoiseKind};
 pub use colour::ColourField;
 pub use completion::LEAST_PROJECTION;
 pub use constraints::Constraint;
 pub use direction::DirectionField;
 pub use error::FieldError;
+pub use image::Image;
 pub use point::{Flow, PointConstraint};
+pub use remap::Course;
 pub use scalar::ScalarField;
 pub use singularity::{Singularity, boundary_turning, singularities};
+pub use strokes::Stroke;

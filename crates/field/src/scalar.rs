@@ -60,6 +60,18 @@ impl ScalarField {
         Self::new(self.values.iter().zip(&other.values).map(|(&a, &b)| function(a, b)).collect())
     }
 
+    /// A function of three fields' values at each vertex.
+    ///
+    /// # Errors
+    /// As [`ScalarField::zip`].
+    pub fn zip_with(&self, second: &Self, third: &Self, mut function: impl FnMut(f32, f32, f32) -> f32) -> Result<Self, FieldError> {
+        let mut thirds = third.values.iter();
+        if third.values.len() != self.values.len() {
+            return Err(FieldError::Length { values: third.values.len(), expected: self.values.len() });
+        }
+        self.zip(second, |a, b| function(a, b, thirds.next().copied().unwrap_or_default()))
+    }
+
     /// The sum of two fields.
     ///
     /// # Errors
@@ -90,6 +102,12 @@ impl ScalarField {
     /// Where that is not finite.
     pub fn scaled(&self, factor: f32) -> Result<Self, FieldError> {
         self.map(|value| value * factor)
+    }
+
+    /// Whether the field has a value for each vertex of a mesh.
+    pub(crate) fn check(&self, mesh: &Mesh) -> Result<(), FieldError> {
+        let (values, expected) = (self.values.len(), mesh.positions().len());
+        if values == expected { Ok(()) } else { Err(FieldError::Length { values, expected }) }
     }
 
     /// Every value brought between two bounds; `least` wins where they cross.

@@ -2,7 +2,7 @@
 #![allow(clippy::unwrap_used, clippy::print_stdout, reason = "a test may fail, and says what it measured")]
 
 use glam::{DVec2, DVec3, Vec3};
-use pelage_field::{ColourField, FieldError, ScalarField};
+use pelage_field::{ColourField, FieldError, Image, ScalarField};
 use pelage_mesh::{Mesh, plane, sphere, torus};
 use proptest::prelude::*;
 
@@ -55,12 +55,16 @@ fn looking_at(places: [DVec2; 4]) -> Mesh {
 /// Two pixels by two: black with alpha 0, white, sRGB red 188 (0.5029 in linear light), blue with alpha 51.
 const IMAGE: [u8; 16] = [0, 0, 0, 0, 255, 255, 255, 255, 188, 0, 0, 255, 0, 0, 255, 51];
 
+fn image() -> Image<'static> {
+    Image::rgba8(&IMAGE, 2, 2).unwrap()
+}
+
 #[test]
 fn pixels_are_found_at_their_centres_upright_and_wrapped() {
     let centres = [(0.25, 0.75), (0.75, 0.75), (0.25, 0.25), (0.75, 0.25)].map(DVec2::from);
     for shift in [DVec2::ZERO, DVec2::new(-3.0, 5.0), DVec2::splat(1024.0)] {
         let mesh = looking_at(centres.map(|place| place + shift));
-        let (colours, alpha) = ColourField::from_image(&mesh, &IMAGE, 2, 2).unwrap();
+        let (colours, alpha) = ColourField::from_image(&mesh, &image()).unwrap();
         let expected = [Vec3::ZERO, Vec3::ONE, Vec3::new(0.502_886, 0.0, 0.0), Vec3::Z];
         for (a, b) in colours.values().iter().zip(expected) {
             assert!(a.distance(b) < 1e-5, "{a} for {b}");
@@ -72,7 +76,7 @@ fn pixels_are_found_at_their_centres_upright_and_wrapped() {
 #[test]
 fn between_pixels_light_is_mixed_in_linear_space() {
     let places = [(0.5, 0.75), (0.0, 0.75), (0.25, 0.0), (0.5, 0.5)].map(DVec2::from);
-    let (colours, alpha) = ColourField::from_image(&looking_at(places), &IMAGE, 2, 2).unwrap();
+    let (colours, alpha) = ColourField::from_image(&looking_at(places), &image()).unwrap();
     let red = 0.502_886;
     let expected = [Vec3::splat(0.5), Vec3::splat(0.5), Vec3::new(0.5 * red, 0.0, 0.0), Vec3::new(1.0 + red, 1.0, 2.0) / 4.0];
     for (a, b) in colours.values().iter().zip(expected) {
@@ -87,7 +91,7 @@ fn corners_at_a_seam_are_averaged() {
     // The first face sees white, the second blue; the two vertices of the diagonal see both.
     let coordinates = (0..6).map(|corner| if corner < 3 { DVec2::new(0.75, 0.75) } else { DVec2::new(0.75, 0.25) }).collect();
     let mesh = mesh.with_texture_coordinates(coordinates).unwrap();
-    let (colours, alpha) = ColourField::from_image(&mesh, &IMAGE, 2, 2).unwrap();
+    let (colours, alpha) = ColourField::from_image(&mesh, &image()).unwrap();
     for vertex in mesh.vertices() {
         let faces: Vec<_> = vertex.faces().map(|face| face.id().0).collect();
         let (red, amount) = match faces.as_slice() {
@@ -101,11 +105,12 @@ fn corners_at_a_seam_are_averaged() {
 
 #[test]
 fn images_that_do_not_fit_are_refused() {
-    let ring = torus(1.0, 0.5, 3, 3).unwrap();
     for (bytes, width, height) in [(0, 0, 0), (16, 2, 1), (15, 2, 2), (17, 2, 2), (16, u32::MAX, u32::MAX)] {
-        assert!(matches!(ColourField::from_image(&ring, &vec![0; bytes], width, height), Err(FieldError::ImageSize { .. })));
+        assert!(matches!(Image::rgba8(&vec![0; bytes], width, height), Err(FieldError::ImageSize { .. })));
+        assert!(matches!(Image::rgba16(&vec![0; bytes], width, height), Err(FieldError::ImageSize { .. })));
     }
-    assert_eq!(ColourField::from_image(&sphere(1.0, 1).unwrap(), &IMAGE, 2, 2), Err(FieldError::NoTextureCoordinates));
+    assert_eq!(ColourField::from_image(&sphere(1.0, 1).unwrap(), &image()), Err(FieldError::NoTextureCoordinates));
+    assert!(ColourField::from_image(&torus(1.0, 0.5, 3, 3).unwrap(), &image()).is_ok());
 }
 
 #[test]
@@ -123,7 +128,7 @@ fn colours_are_made_and_mixed() {
 proptest! {
     #[test]
     fn samples_stay_within_the_pixels(bytes in prop::collection::vec(any::<u8>(), 60), u in -1e6..1e6_f64, v in -1e300..1e300_f64) {
-        let (colours, alpha) = ColourField::from_image(&looking_at([DVec2::new(u, v); 4]), &bytes, 5, 3).unwrap();
+        let (colours, alpha) = ColourField::from_image(&looking_at([DVec2::new(u, v); 4]), &Image::rgba8(&bytes, 5, 3).unwrap()).unwrap();
         prop_assert!(colours.values().iter().all(|c| c.min_element() >= 0.0 && c.max_element() <= 1.000_001));
         prop_assert!(alpha.values().iter().all(|a| (0.0..=1.000_001).contains(a)));
     }

@@ -2,12 +2,12 @@
 
 use std::sync::Arc;
 
-use glam::{DVec2, DVec3};
+use glam::{DVec2, DVec3, Vec4};
 
 use crate::vector::unit;
 use crate::{Edge, Face, Topology, TopologyError};
 
-/// A triangle mesh: a shared [`Topology`], a position for each vertex in the model's own units, and texture coordinates if it has them.
+/// A triangle mesh: a shared [`Topology`], a position for each vertex in the model's own units, and texture coordinates and colours if it has them.
 ///
 /// Of one vertex, edge or face it is asked through views: `mesh.face(f).normal()`.
 #[derive(Clone, Debug, PartialEq)]
@@ -15,6 +15,7 @@ pub struct Mesh {
     topology: Arc<Topology>,
     positions: Vec<DVec3>,
     texture_coordinates: Option<Vec<DVec2>>,
+    colours: Option<Vec<Vec4>>,
 }
 
 /// Why positions and topology make no mesh.
@@ -47,6 +48,20 @@ pub enum MeshError {
         /// Which of its corners, 0 to 2.
         corner: u32,
     },
+    /// One colour a vertex is needed.
+    #[error("{colours} colours for {vertices} vertices; give one for each, or none")]
+    ColourCount {
+        /// Colours given.
+        colours: usize,
+        /// Vertices of the topology.
+        vertices: usize,
+    },
+    /// A colour is NaN or infinite.
+    #[error("vertex {vertex} has a colour that is not finite; mend it or leave all of them out")]
+    ColourNotFinite {
+        /// The vertex.
+        vertex: u32,
+    },
     /// A position is NaN or infinite.
     #[error("vertex {vertex} is at {position}, which is no place; mend the position")]
     NotFinite {
@@ -69,7 +84,7 @@ impl Mesh {
         if let Some(vertex) = positions.iter().position(|p| !p.is_finite()) {
             return Err(MeshError::NotFinite { vertex: vertex as u32, position: positions[vertex] });
         }
-        Ok(Self { topology, positions, texture_coordinates: None })
+        Ok(Self { topology, positions, texture_coordinates: None, colours: None })
     }
 
     /// Joins positions and triangles.
@@ -96,6 +111,21 @@ impl Mesh {
         Ok(self)
     }
 
+    /// The same mesh with a colour for each vertex: red, green and blue in linear light with the primaries of sRGB, and alpha, each 0 to 1 as a rule.
+    ///
+    /// # Errors
+    /// Where there is not one for each vertex, or one is not finite.
+    pub fn with_colours(mut self, colours: Vec<Vec4>) -> Result<Self, MeshError> {
+        if colours.len() != self.positions.len() {
+            return Err(MeshError::ColourCount { colours: colours.len(), vertices: self.positions.len() });
+        }
+        if let Some(vertex) = colours.iter().position(|colour| !colour.is_finite()) {
+            return Err(MeshError::ColourNotFinite { vertex: vertex as u32 });
+        }
+        self.colours = Some(colours);
+        Ok(self)
+    }
+
     /// Which faces, edges and vertices touch.
     pub fn topology(&self) -> &Arc<Topology> {
         &self.topology
@@ -109,6 +139,11 @@ impl Mesh {
     /// A pair of texture coordinates for each half-edge, if the model has them.
     pub fn texture_coordinates(&self) -> Option<&[DVec2]> {
         self.texture_coordinates.as_deref()
+    }
+
+    /// A colour for each vertex, if the model has them: linear red, green, blue, and alpha.
+    pub fn colours(&self) -> Option<&[Vec4]> {
+        self.colours.as_deref()
     }
 
     /// The unit normal at each vertex: the mean of its faces' normals weighted by their angle there (Thürmer and Wüthrich 1998),
@@ -157,13 +192,13 @@ impl Mesh {
         })
     }
 
-    /// The same mesh with other positions, one for each vertex; texture coordinates and topology are kept.
+    /// The same mesh with other positions, one for each vertex; texture coordinates, colours and topology are kept.
     ///
     /// # Errors
     /// Where their count differs, or a position is not finite.
     pub fn with_positions(&self, positions: Vec<DVec3>) -> Result<Self, MeshError> {
         let moved = Self::new(Arc::clone(&self.topology), positions)?;
-        Ok(Self { texture_coordinates: self.texture_coordinates.clone(), ..moved })
+        Ok(Self { texture_coordinates: self.texture_coordinates.clone(), colours: self.colours.clone(), ..moved })
     }
 
     /// The length of the diagonal of [`Mesh::bounds`], which the project calls the model's *diameter*; 0 without faces.
@@ -180,6 +215,7 @@ impl Mesh {
     pub fn byte_size(&self) -> usize {
         let corners = self.topology.half_edge_count();
         let coordinates = self.texture_coordinates.as_ref().map_or(0, |c| c.len() * size_of::<DVec2>());
-        2 * size_of::<u32>() * corners + self.positions.len() * (4 + size_of::<DVec3>()) + coordinates
+        let colours = self.colours.as_ref().map_or(0, |c| size_of_val(c.as_slice()));
+        2 * size_of::<u32>() * corners + self.positions.len() * (4 + size_of::<DVec3>()) + coordinates + colours
     }
 }

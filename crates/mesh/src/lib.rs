@@ -1,7 +1,8 @@
 //! Half-edge topology and triangle geometry.
 //!
-//! [`Topology`] says which faces, edges and vertices touch; it knows no positions. [`Mesh`] adds them, and texture coordinates.
-//! Meshes come from an OBJ file ([`read_obj`]), from any polygons whatever ([`repair`]), from a list of triangles, or from a formula ([`sphere`], [`torus`], [`plane`], [`rounded_die`]);
+//! [`Topology`] says which faces, edges and vertices touch; it knows no positions. [`Mesh`] adds them, texture coordinates and colours.
+//! Meshes come from an OBJ or a glTF file ([`read_obj`], [`read_gltf`]), from any polygons whatever ([`repair`]), from a list of triangles, or from a formula ([`sphere`], [`torus`], [`plane`], [`rounded_die`]);
+//! They are cut finer ([`subdivide`]), thinned out ([`simplify`]), moved ([`transform`]) and put together ([`join`]).
 //! [`Summary`] puts one into figures, [`Geodesics`] measures along it, [`SpatialIndex`] finds where rays hit it and which of its points are near.
 //!
 //! # Convention
@@ -27,6 +28,9 @@
 //! # Ok::<(), pelage_mesh::MeshError>(())
 //! ```
 //!
+//! # Features
+//! `gltf` (default): glTF import, by the crate of that name. `simplify` (default): [`simplify`], by meshoptimizer, which a C++ compiler builds.
+//!
 //! # Sources
 //! S. Campagna, L. Kobbelt, H.-P. Seidel: Directed Edges, a Scalable Representation for Triangle Meshes, Journal of Graphics Tools 3(4), 1998:
 //! the three half-edges of face *f* are 3*f*, 3*f* + 1 and 3*f* + 2, so that a half-edge's face, next and previous are arithmetic and only its
@@ -34,8 +38,11 @@
 //! A. Guéziec, G. Taubin, F. Lazarus, B. Horn: Cutting and Stitching: Converting Sets of Polygons to Manifold Surfaces, IEEE Transactions on
 //! Visualization and Computer Graphics 7(2), 2001: vertices copied for each fan.
 
+mod edit;
 mod geodesic;
 mod geometry;
+#[cfg(feature = "gltf")]
+mod gltf;
 mod handles;
 mod index;
 mod obj;
@@ -43,11 +50,17 @@ mod point;
 mod primitives;
 mod quality;
 mod repair;
+mod srgb;
 mod summary;
 mod topology;
 mod vector;
 mod views;
 
+#[cfg(feature = "gltf")]
+pub use self::gltf::{Beside, GltfError, GltfFault, GltfImage, GltfImport, GltfMaterial, GltfNote, MOST_GLTF_FACES, parse_gltf, read_gltf};
+pub use edit::{JoinError, MOST_SUBDIVIDED_FACES, SubdivideError, Transform, TransformError, join, subdivide, transform};
+#[cfg(feature = "simplify")]
+pub use edit::{Simplified, SimplifyError, SimplifySettings, simplify};
 pub use geodesic::{Distances, GeodesicError, Geodesics, Source};
 pub use geometry::{Mesh, MeshError};
 pub use handles::{FaceId, HalfEdgeId, VertexId};
@@ -57,6 +70,7 @@ pub use point::SurfacePoint;
 pub use primitives::{MOST_PRIMITIVE_FACES, PrimitiveError, plane, rounded_die, sphere, torus};
 pub use quality::Quality;
 pub use repair::{RepairError, RepairReport, RepairSettings, Repaired, Soup, WELD_TOLERANCE, repair};
+pub use srgb::srgb_to_linear;
 pub use summary::Summary;
 pub use topology::{BrokenInvariant, Topology, TopologyError};
 pub use vector::{angle_between, unit};

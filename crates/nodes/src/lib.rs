@@ -33,8 +33,11 @@ mod coat;
 mod creature;
 mod fields;
 mod framing;
+mod gltf_file;
 mod hair;
+mod images;
 mod light;
+mod mesh_edits;
 mod models;
 pub mod parts;
 mod patches;
@@ -55,13 +58,19 @@ mod turns;
 pub use budget::{Budget, FrameCost, FrameLimit, Quality, TableError};
 pub use coat::{LayFur, LengthsAs};
 pub use creature::{Animal, BodyPart, CreatureNode, PartFields, PartFur};
-pub use fields::{ColourRamp, DirectionConstraint, DirectionFieldNode, DirectionPoint, ImageField, PointFlow, ScalarRamp};
+pub use fields::{
+    BlurColours, BlurField, ColourAmount, ColourMeasure, ColourRamp, ConstantField, DirectionConstraint, DirectionFieldNode,
+    DirectionPoint, FieldMath, ImageField, MaskField, MixColours, NoiseField, NoiseLook, Operation, PaintedStroke, PointFlow, RemapCourse,
+    RemapField, ScalarRamp, StrokeField, VertexColours,
+};
 pub use framing::{CameraNode, Framing};
+pub use gltf_file::GltfFile;
 pub use hair::{
     BlockForm, CompressShells, FinDirection, FinImage, GrowStrands, HairStyle, HairUndercoat, LevelsOfDetail, NotStraight, OneLayer,
     OneLayerReport, SampleFin, SampleShells, ShareImages, ShellSpacing,
 };
 pub use light::{EnvironmentNode, LightNode};
+pub use mesh_edits::{Join, Simplify, Subdivide, Transform};
 pub use models::{ObjFile, Plane, RoundedDie, Sphere, Torus};
 pub use patches::GrowPatches;
 pub use pelage_reference::Curves;

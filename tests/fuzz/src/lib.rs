@@ -15,4 +15,4 @@ mod graph;
 mod mesh;
 
 pub use graph::graph;
-pub use mesh::{obj, repair};
+pub use mesh::{gltf, obj, repair};

@@ -1,7 +1,7 @@
 //! Import and repair of meshes.
 
 use glam::{DVec2, DVec3};
-use pelage_mesh::{Import, Mesh, RepairSettings, Soup, parse_obj};
+use pelage_mesh::{GltfImport, Import, Mesh, RepairSettings, Soup, parse_gltf, parse_obj};
 
 /// Any bytes are an OBJ file or not; if they are, its mesh is sound, and the same bits the next time.
 pub fn obj(bytes: &[u8]) {
@@ -9,6 +9,24 @@ pub fn obj(bytes: &[u8]) {
     check(&import.mesh);
     assert_eq!(import.face_lines.len(), import.mesh.topology().face_count());
     let again = parse_obj(bytes).is_ok_and(|again: Import| again == import);
+    assert!(again, "another result the second time");
+}
+
+/// Any bytes are a glTF file or not; if they are, its mesh is sound, and the same bits the next time. Whatever file it names beside itself has a few numbers in it.
+pub fn gltf(bytes: &[u8]) {
+    let parse = || {
+        let numbers = [0.0_f32, 1.0, 0.0, 1.0, 1.0, 0.0, 0.0, 0.0, 2.0, f32::NAN];
+        parse_gltf(bytes, &mut |_| Ok(numbers.iter().flat_map(|number| number.to_le_bytes()).collect()))
+    };
+    let Ok(import) = parse() else { return };
+    check(&import.mesh);
+    assert_eq!(import.material_of_face.len(), import.mesh.topology().face_count());
+    assert!(
+        import.materials.iter().all(|material| material.image.is_none_or(|image| image < import.images.len())),
+        "an image that is none"
+    );
+    assert!(import.material_of_face.iter().all(|&material| (material as usize) < import.materials.len()), "a material that is none");
+    let again = parse().is_ok_and(|again: GltfImport| again == import);
     assert!(again, "another result the second time");
 }
 
@@ -52,6 +70,7 @@ fn check(mesh: &Mesh) {
     assert_eq!(mesh.topology().check(), Ok(()));
     assert!(mesh.positions().iter().all(|p| p.is_finite()), "a place that is none");
     assert!(mesh.texture_coordinates().is_none_or(|all| all.iter().all(|c| c.is_finite())), "texture coordinates that are none");
+    assert!(mesh.colours().is_none_or(|all| all.iter().all(|c| c.is_finite())), "a colour that is none");
     assert!(mesh.topology().face_count() > 0 && mesh.topology().referenced_vertex_count() == mesh.topology().vertex_count());
     assert!(mesh.vertex_normals().iter().all(|n| n.is_finite()), "a normal that is none");
 }

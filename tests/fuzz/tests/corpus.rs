@@ -8,7 +8,8 @@ use std::path::Path;
 type Target = fn(&[u8]);
 
 /// Every target, with the name of its corpus.
-const TARGETS: [(&str, Target); 3] = [("graph", pelage_fuzz::graph), ("obj", pelage_fuzz::obj), ("repair", pelage_fuzz::repair)];
+const TARGETS: [(&str, Target); 4] =
+    [("gltf", pelage_fuzz::gltf), ("graph", pelage_fuzz::graph), ("obj", pelage_fuzz::obj), ("repair", pelage_fuzz::repair)];
 
 fn names(folder: &str) -> BTreeSet<String> {
     let entries = std::fs::read_dir(Path::new(env!("CARGO_MANIFEST_DIR")).join(folder)).unwrap();

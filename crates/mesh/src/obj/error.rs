@@ -35,6 +35,12 @@ pub enum ObjFault {
     /// A `v` line is not three numbers.
     #[error("a vertex needs three numbers, like `v 0.5 1 -2`")]
     BadVertex,
+    /// A vertex has a colour that is no finite number.
+    #[error("vertex {vertex} has a colour that is NaN, infinite or too large; mend the number")]
+    ColourNotFinite {
+        /// The vertex.
+        vertex: u32,
+    },
     /// A `vt` line is not two numbers.
     #[error("texture coordinates need two numbers, like `vt 0.5 1`")]
     BadTextureCoordinates,

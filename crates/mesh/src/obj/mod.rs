@@ -11,9 +11,9 @@ mod statements;
 
 use std::path::Path;
 
-use glam::{DVec2, DVec3};
+use glam::{DVec2, DVec3, Vec4};
 
-use crate::{FaceId, Mesh, RepairError, RepairReport, RepairSettings, Soup, repair};
+use crate::{FaceId, Mesh, RepairError, RepairReport, RepairSettings, Soup, repair, srgb_to_linear};
 
 pub use error::{ObjError, ObjFault};
 pub use note::Note;
@@ -44,8 +44,8 @@ impl Import {
 /// Reads an OBJ file and [repairs](crate::repair) what it finds.
 ///
 /// Objects and groups are joined: all share the one list of vertices. Texture coordinates are kept for each corner, and only if every corner has them;
-/// faces on either side of a texture seam share their vertices all the same. Normals, materials, colours, lines, points and free-form
-/// geometry are passed over, and no other file is opened, whatever it names.
+/// faces on either side of a texture seam share their vertices all the same. So are colours of vertices, three numbers after their place, which are
+/// taken for sRGB as most programs write them. Normals, materials, lines, points and free-form geometry are passed over, and no other file is opened, whatever it names.
 ///
 /// # Errors
 /// Where the file cannot be read, says something that is no OBJ, or has no surface; with path and line.
@@ -72,11 +72,12 @@ pub fn read_obj(path: &Path) -> Result<Import, ObjError> {
 /// Where it says something that is no OBJ, or has no surface; with the line.
 pub fn parse_obj(bytes: &[u8]) -> Result<Import, ObjError> {
     let statements = Statements::scan(bytes)?;
-    let soup = soup(&statements)?;
+    let mut soup = soup(&statements)?;
+    let odd_colours = clamp_colours(&mut soup.colours);
     let lines = statements.face_lines();
     let repaired = repair(soup, &RepairSettings::default()).map_err(|error| locate(error, &statements, &lines))?;
     let face_lines = repaired.polygons.iter().map(|&polygon| lines[polygon as usize]).collect();
-    let notes = statements.notes().into_iter().chain(Note::coarse(repaired.mesh.positions())).collect();
+    let notes = statements.notes().into_iter().chain(odd_colours).chain(Note::coarse(repaired.mesh.positions())).collect();
     Ok(Import { mesh: repaired.mesh, repairs: repaired.report, notes, face_lines })
 }
 
@@ -112,6 +113,9 @@ fn soup_of(mut parsed: tobj::Mesh, statements: &Statements<'_>) -> Soup {
         ends,
         ..Soup::default()
     };
+    if statements.have_colours() {
+        soup.colours = parsed.vertex_color.chunks_exact(3).map(linear).collect();
+    }
     if statements.have_coordinates() {
         parsed.texcoord_indices.drain(..(first as usize).min(parsed.texcoord_indices.len()));
         soup.texture_coordinates = parsed.texcoords.chunks_exact(2).map(DVec2::from_slice).collect();
@@ -120,11 +124,32 @@ fn soup_of(mut parsed: tobj::Mesh, statements: &Statements<'_>) -> Soup {
     soup
 }
 
+/// A colour as a file has it, in linear light and opaque; as it is where it is no number.
+fn linear(encoded: &[f64]) -> Vec4 {
+    let [red, green, blue] = [0, 1, 2].map(|k| srgb_to_linear(encoded[k]) as f32);
+    Vec4::new(red, green, blue, 1.0)
+}
+
+/// Brings colours to their range, and says so; numbers that are none stay.
+fn clamp_colours(colours: &mut [Vec4]) -> Option<Note> {
+    let range = Vec4::ZERO..=Vec4::ONE;
+    let mut vertices = 0;
+    for colour in colours.iter_mut().filter(|colour| colour.is_finite()) {
+        let clamped = colour.clamp(*range.start(), *range.end());
+        vertices += usize::from(clamped != *colour);
+        *colour = clamped;
+    }
+    (vertices > 0).then_some(Note::ColoursOutOfRange { vertices })
+}
+
 /// Says of what cannot be mended in which line it is.
 fn locate(error: RepairError, statements: &Statements<'_>, lines: &[u32]) -> ObjError {
     match error {
         RepairError::NotFinite { vertex } => {
             ObjError { path: None, line: statements.vertex_line(vertex as usize), fault: ObjFault::NotFinite { vertex: vertex + 1 } }
+        }
+        RepairError::ColourNotFinite { vertex } => {
+            ObjError { path: None, line: statements.vertex_line(vertex as usize), fault: ObjFault::ColourNotFinite { vertex: vertex + 1 } }
         }
         RepairError::CoordinateNotFinite { polygon } => ObjError::at(lines[polygon] as usize, ObjFault::CoordinateNotFinite),
         other => ObjError::whole(ObjFault::Repair(other)),

@@ -17,6 +17,16 @@ pub enum Note {
         /// Corners without.
         corners: usize,
     },
+    /// The file has colours, but not for every vertex: the mesh has none.
+    VerticesWithoutColour {
+        /// Vertices without.
+        vertices: usize,
+    },
+    /// Colours outside 0 to 1, brought to the nearer end.
+    ColoursOutOfRange {
+        /// Vertices with such a colour.
+        vertices: usize,
+    },
     /// Statements that this reader does not know, such as free-form curves.
     UnknownStatements {
         /// How many.
@@ -51,6 +61,12 @@ impl fmt::Display for Note {
             Self::NoTextureCoordinates => f.write_str("faces name texture coordinates, but the file has none (`vt`): left out"),
             Self::CornersWithoutTextureCoordinates { corners } => {
                 write!(f, "corners of faces without texture coordinates: {corners}; those of the others are left out")
+            }
+            Self::VerticesWithoutColour { vertices } => {
+                write!(f, "vertices without a colour: {vertices}; the colours of the others are left out")
+            }
+            Self::ColoursOutOfRange { vertices } => {
+                write!(f, "vertices with a colour outside 0 to 1: {vertices}; brought to the nearer end")
             }
             Self::UnknownStatements { count, line, first } => {
                 write!(f, "statements of unknown kinds passed over: {count}, the first in line {line}: `{first}`")

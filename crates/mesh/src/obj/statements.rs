@@ -13,6 +13,8 @@ pub(super) struct Statements<'a> {
     kept: Vec<(Keyword, Statement<'a>)>,
     bytes: usize,
     vertices: usize,
+    /// Vertices with three numbers after their place.
+    coloured_vertices: usize,
     coordinates: usize,
     faces: usize,
     corners_without_coordinates: usize,
@@ -37,6 +39,7 @@ impl<'a> Statements<'a> {
             kept: Vec::new(),
             bytes: bytes.len(),
             vertices: 0,
+            coloured_vertices: 0,
             coordinates: 0,
             faces: 0,
             corners_without_coordinates: 0,
@@ -67,11 +70,13 @@ impl<'a> Statements<'a> {
         found.index_out_of_range().map_or(Ok(found), Err)
     }
 
-    fn look_at<'w>(&mut self, keyword: Keyword, words: impl Iterator<Item = &'w [u8]>) -> Result<(), ObjFault> {
+    fn look_at<'w>(&mut self, keyword: Keyword, mut words: impl Iterator<Item = &'w [u8]>) -> Result<(), ObjFault> {
         match keyword {
             Keyword::Vertex => {
                 self.vertices += 1;
-                check_numbers(words, 3).then_some(()).ok_or(ObjFault::BadVertex)
+                check_numbers(words.by_ref(), 3).then_some(()).ok_or(ObjFault::BadVertex)?;
+                self.coloured_vertices += usize::from(words.take(3).filter(|word| is_number(word)).count() == 3);
+                Ok(())
             }
             Keyword::Coordinates => {
                 self.coordinates += 1;
@@ -111,6 +116,11 @@ impl<'a> Statements<'a> {
         self.coordinates > 0 && self.corners_without_coordinates == 0
     }
 
+    /// Whether every vertex has a colour.
+    pub(super) fn have_colours(&self) -> bool {
+        self.coloured_vertices > 0 && self.coloured_vertices == self.vertices
+    }
+
     /// What was left out.
     pub(super) fn notes(&self) -> Vec<Note> {
         let corners = self.corners_without_coordinates;
@@ -119,7 +129,9 @@ impl<'a> Statements<'a> {
             (1.., _) if corners > 0 => Some(Note::CornersWithoutTextureCoordinates { corners }),
             _ => None,
         };
-        left_out.into_iter().chain(self.unknown.clone()).collect()
+        let without = self.vertices - self.coloured_vertices;
+        let colours = (self.coloured_vertices > 0 && without > 0).then_some(Note::VerticesWithoutColour { vertices: without });
+        left_out.into_iter().chain(colours).chain(self.unknown.clone()).collect()
     }
 
     /// How many faces the file has.
@@ -131,6 +143,7 @@ impl<'a> Statements<'a> {
     /// of it: each one line further down than in the file.
     pub(super) fn text(&self) -> std::io::Result<Vec<u8>> {
         let have_coordinates = self.have_coordinates();
+        let vertex_words = if self.have_colours() { 7 } else { 4 };
         let mut text = Vec::with_capacity(self.bytes);
         text.push(b'f');
         for vertex in 1..=self.vertices {
@@ -142,7 +155,7 @@ impl<'a> Statements<'a> {
             text.extend(std::iter::repeat_n(b'\n', statement.line - line));
             line = statement.line + 1;
             match keyword {
-                Keyword::Vertex => put_words(&mut text, statement, 4),
+                Keyword::Vertex => put_words(&mut text, statement, vertex_words),
                 Keyword::Coordinates if have_coordinates => put_words(&mut text, statement, 3),
                 Keyword::Coordinates => {}
                 Keyword::Face => put_face(&mut text, statement, have_coordinates),
@@ -252,7 +265,12 @@ fn check_numbers<'w>(words: impl Iterator<Item = &'w [u8]>, count: usize) -> boo
     words.take(count).filter(|word| word.iter().all(u8::is_ascii_graphic)).count() == count
 }
 
-/// The keyword and the numbers that count: weights and colours after them are of no use here, and `tobj` wants them on all lines or none.
+/// Whether a word is a number to `tobj` too; what else stands after a place is passed over.
+fn is_number(word: &[u8]) -> bool {
+    std::str::from_utf8(word).is_ok_and(|word| word.parse::<f64>().is_ok())
+}
+
+/// The keyword and the numbers that count: a weight after them is of no use here, and `tobj` wants colours on all lines or none.
 fn put_words(text: &mut Vec<u8>, statement: Statement<'_>, count: usize) {
     for word in statement.words().take(count) {
         text.extend_from_slice(word);

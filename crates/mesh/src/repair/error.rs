@@ -23,6 +23,20 @@ pub enum RepairError {
         /// The vertex.
         vertex: u32,
     },
+    /// A colour is NaN or infinite.
+    #[error("vertex {vertex} has a colour that is NaN or infinite; mend it or leave all of them out")]
+    ColourNotFinite {
+        /// The vertex.
+        vertex: u32,
+    },
+    /// There is not one colour a vertex.
+    #[error("{colours} colours for {vertices} vertices; give one for each, or none")]
+    ColourCount {
+        /// Colours given.
+        colours: usize,
+        /// Vertices given.
+        vertices: usize,
+    },
     /// A used texture coordinate is NaN or infinite.
     #[error("polygon {polygon} uses texture coordinates that are NaN or infinite; mend them or leave all of them out")]
     CoordinateNotFinite {

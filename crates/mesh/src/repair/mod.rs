@@ -12,6 +12,7 @@
 //! 8. *Closed pieces* turned outwards, for what is closed and what is a piece is known only now.
 //! 9. *Vertices without a face*, which all the others may have left.
 
+mod colours;
 mod duplicates;
 mod error;
 mod faces;
@@ -29,7 +30,7 @@ mod winding;
 
 use std::sync::Arc;
 
-use glam::{DVec2, DVec3};
+use glam::{DVec2, DVec3, Vec4};
 
 use crate::{FaceId, Mesh, Topology};
 
@@ -117,8 +118,9 @@ pub fn repair(soup: Soup, settings: &RepairSettings) -> Result<Repaired, RepairE
     let names = weld::weld(&soup.positions, &in_use, &scale, tolerance);
     report.vertices_welded = (0..).zip(&names).filter(|&(vertex, &name)| vertex != name).count();
     let faces = polygons::cut_polygons(&soup, &names, &scale, &mut report);
-    let Soup { positions, texture_coordinates, .. } = soup;
-    let mut surface = Surface { positions, texture_coordinates, faces, report };
+    let Soup { positions, mut colours, texture_coordinates, .. } = soup;
+    colours::blend_welded(&mut colours, &names, &in_use);
+    let mut surface = Surface { positions, colours, texture_coordinates, faces, report };
     let topology = surface.make_manifold(&scale)?;
     if surface.faces.len() == 0 {
         return Err(no_surface);
@@ -129,6 +131,8 @@ pub fn repair(soup: Soup, settings: &RepairSettings) -> Result<Repaired, RepairE
 /// Faces with their vertices, on the way to a mesh.
 struct Surface {
     positions: Vec<DVec3>,
+    /// One for each position, or none.
+    colours: Vec<Vec4>,
     texture_coordinates: Vec<DVec2>,
     faces: Faces,
     report: RepairReport,
@@ -169,6 +173,10 @@ impl Surface {
         (report.vertices_split, report.vertices_added) = (split.vertices, split.copies.len());
         let copies: Vec<DVec3> = split.copies.iter().map(|&vertex| self.positions[vertex as usize]).collect();
         self.positions.extend(copies);
+        if !self.colours.is_empty() {
+            let copies: Vec<Vec4> = split.copies.iter().map(|&vertex| self.colours[vertex as usize]).collect();
+            self.colours.extend(copies);
+        }
     }
 
     /// Drops the vertices that no face uses.
@@ -184,10 +192,14 @@ impl Surface {
             names.push(kept as u32);
             if used {
                 self.positions[kept] = self.positions[vertex];
+                if !self.colours.is_empty() {
+                    self.colours[kept] = self.colours[vertex];
+                }
                 kept += 1;
             }
         }
         self.positions.truncate(kept);
+        self.colours.truncate(kept);
         self.faces.corners.as_flattened_mut().iter_mut().for_each(|vertex| *vertex = names[*vertex as usize]);
         self.report.vertices_unreferenced += in_use.len() - kept;
     }
@@ -205,6 +217,9 @@ impl Surface {
         if !coordinates.is_empty() {
             let all = &self.texture_coordinates;
             mesh = mesh.with_texture_coordinates(coordinates.as_flattened().iter().map(|&index| all[index as usize]).collect())?;
+        }
+        if !self.colours.is_empty() {
+            mesh = mesh.with_colours(self.colours)?;
         }
         Ok(Repaired { mesh, report: self.report, polygons })
     }

@@ -1,6 +1,6 @@
 //! Polygons as a file or a modeller gives them.
 
-use glam::{DVec2, DVec3};
+use glam::{DVec2, DVec3, Vec4};
 
 use super::RepairError;
 
@@ -21,6 +21,8 @@ use super::RepairError;
 pub struct Soup {
     /// Where the vertices are, in model units.
     pub positions: Vec<DVec3>,
+    /// A colour for each of `positions`, in linear light with alpha; empty if there are none.
+    pub colours: Vec<Vec4>,
     /// Texture coordinates, in any order, u to the right and v up; empty if there are none.
     pub texture_coordinates: Vec<DVec2>,
     /// The vertex of each corner, polygon after polygon.
@@ -62,6 +64,12 @@ impl Soup {
             return Err(RepairError::NotFinite { vertex: vertex as u32 });
         }
         let count = self.positions.len();
+        if !self.colours.is_empty() && self.colours.len() != count {
+            return Err(RepairError::ColourCount { colours: self.colours.len(), vertices: count });
+        }
+        if let Some(vertex) = self.colours.iter().position(|colour| !colour.is_finite()) {
+            return Err(RepairError::ColourNotFinite { vertex: vertex as u32 });
+        }
         if let Some(corner) = self.corners.iter().position(|&vertex| vertex as usize >= count) {
             return Err(RepairError::VertexOutOfRange { polygon: self.polygon_of(corner), vertex: self.corners[corner], count });
         }

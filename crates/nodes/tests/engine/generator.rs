@@ -9,6 +9,7 @@ const CAPS: &[(&str, i128)] = &[
     ("subdivisions", 6),
     ("cells", 10),
     ("faces", 600),
+    ("times", 2),
     ("count", 40),
     ("steps", 8),
     ("layers", 6),
@@ -35,7 +36,7 @@ pub(crate) fn graph(registry: &Registry, seed: u64) -> String {
     let kinds: Vec<&str> = registry
         .specifications()
         .map(|s| s.kind.as_str())
-        .filter(|kind| !["RenderImage", "ReferenceImage", "StrandCurves", "ObjFile"].contains(kind))
+        .filter(|kind| !["RenderImage", "ReferenceImage", "StrandCurves", "ObjFile", "GltfFile"].contains(kind))
         .collect();
     for index in 2..generator.random.random_range(6..16) {
         let kind = kinds[generator.random.random_range(0..kinds.len())];

@@ -87,6 +87,9 @@ const PICTURES: &[Picture] = &[
     Picture { file: "fox.png", graph: "graphs/fox.ron", set: &[], size: HALF },
     Picture { file: "cat.png", graph: "graphs/cat.ron", set: &[], size: HALF },
     Picture { file: "bear.png", graph: "graphs/bear.ron", set: &[], size: HALF },
+    Picture { file: "spots.png", graph: "graphs/spots.ron", set: &[], size: HALF },
+    Picture { file: "strokes.png", graph: "graphs/strokes.ron", set: &[], size: HALF },
+    Picture { file: "caterpillar.png", graph: "graphs/caterpillar.ron", set: &[], size: HALF },
 ];
 
 /// Pictures that no graph makes: the file, and the example that draws it, which takes the file's path.

@@ -1,13 +1,11 @@
-//! Fields on the surface.
+//! Which way fur lies.
 
 use std::sync::Arc;
 
 use glam::DVec3;
-use pelage_field::{ColourField, Constraint, DirectionField, Flow, PointConstraint, ScalarField};
-use pelage_graph::{Colour, Context, Evaluate, FilePath, Node, NodeError, Param};
+use pelage_field::{Constraint, DirectionField, Flow, PointConstraint};
+use pelage_graph::{Context, Evaluate, Node, NodeError, Param};
 use pelage_mesh::Mesh;
-
-use crate::shading::linear;
 
 /// A place and the way the fur lies there.
 #[derive(Clone, Debug, PartialEq, Param)]
@@ -91,78 +89,5 @@ impl DirectionPoint {
             PointFlow::Saddle { along } => Flow::Saddle(DVec3::from(along)),
         };
         PointConstraint { at: DVec3::from(self.at), flow }
-    }
-}
-
-/// A number that grows from one end of the model to the other.
-#[derive(Node)]
-#[node(category = "Fields", version = 1)]
-#[output(values: ScalarField, "A number for each vertex.")]
-pub struct ScalarRamp {
-    /// The surface.
-    #[input]
-    pub mesh: Arc<Mesh>,
-    /// From which end to which.
-    #[param(default = [0.0, 1.0, 0.0], unit = "direction")]
-    pub along: [f64; 3],
-    /// The value at the near end.
-    #[param(default = 0.0, range = -1000.0..=1000.0, unit = "value", effect = "as a length factor: shorter or longer fur at the near end")]
-    pub from: f64,
-    /// The value at the far end.
-    #[param(default = 1.0, range = -1000.0..=1000.0, unit = "value", effect = "as a length factor: shorter or longer fur at the far end")]
-    pub to: f64,
-}
-
-impl Evaluate for ScalarRamp {
-    fn evaluate(&self, _: &mut Context<'_>) -> Result<Self::Outputs, NodeError> {
-        Ok(ScalarField::ramp(&self.mesh, DVec3::from(self.along), self.from as f32, self.to as f32)?.into())
-    }
-}
-
-/// A colour that changes from one end of the model to the other (L18).
-#[derive(Node)]
-#[node(category = "Fields", version = 1)]
-#[output(colours: ColourField, "A colour for each vertex.")]
-pub struct ColourRamp {
-    /// The surface.
-    #[input]
-    pub mesh: Arc<Mesh>,
-    /// From which end to which.
-    #[param(default = [0.0, 1.0, 0.0], unit = "direction")]
-    pub along: [f64; 3],
-    /// The colour at the near end.
-    #[param(default = Colour([0.4, 0.4, 0.4]))]
-    pub from: Colour,
-    /// The colour at the far end.
-    #[param(default = Colour([1.0, 1.0, 1.0]))]
-    pub to: Colour,
-}
-
-impl Evaluate for ColourRamp {
-    fn evaluate(&self, _: &mut Context<'_>) -> Result<Self::Outputs, NodeError> {
-        Ok(ColourField::ramp(&self.mesh, DVec3::from(self.along), linear(self.from), linear(self.to))?.into())
-    }
-}
-
-/// An image laid on the surface through the model's own texture coordinates: colour (L18), and length in its alpha (N5).
-#[derive(Node)]
-#[node(category = "Fields", version = 1)]
-#[output(colours: ColourField, "The image's colour at each vertex.")]
-#[output(lengths: ScalarField, "The image's alpha at each vertex: 1 is full length, 0 is bare.")]
-pub struct ImageField {
-    /// The surface; it must have texture coordinates.
-    #[input]
-    pub mesh: Arc<Mesh>,
-    /// A PNG or JPEG file.
-    #[param]
-    pub path: FilePath,
-}
-
-impl Evaluate for ImageField {
-    fn evaluate(&self, _: &mut Context<'_>) -> Result<Self::Outputs, NodeError> {
-        let path = self.path.as_path();
-        let image = image::open(path).map_err(|error| format!("{}: {error}", path.display()))?.into_rgba8();
-        let (colours, lengths) = ColourField::from_image(&self.mesh, image.as_raw(), image.width(), image.height())?;
-        Ok(ImageFieldOutputs { colours: Some(Arc::new(colours)), lengths: Some(Arc::new(lengths)) })
     }
 }
