@@ -58,8 +58,9 @@ pub use creature::{Animal, BodyPart, CreatureNode, PartFields, PartFur};
 pub use fields::{ColourRamp, DirectionConstraint, DirectionFieldNode, DirectionPoint, ImageField, PointFlow, ScalarRamp};
 pub use framing::{CameraNode, Framing};
 pub use hair::{
-    BlockForm, CompressShells, FinDirection, FinImage, GrowStrands, HairStyle, HairUndercoat, LevelsOfDetail, NotStraight, OneLayer,
-    OneLayerReport, SampleFin, SampleShells, ShareImages, ShellSpacing,
+    BlockForm, CompressShells, CurlReport, FinDirection, FinImage, GrowStrands, GuideHair, GuideStrands, HairBand, HairGather, HairNoise,
+    HairOffset, HairOpacity, HairPattern, HairStyle, HairTaper, HairUndercoat, LevelsOfDetail, MixStrands, NotStraight, OneLayer,
+    OneLayerReport, SampleFin, SampleShells, ShareImages, ShellSpacing, TilePattern,
 };
 pub use light::{EnvironmentNode, LightNode};
 pub use models::{ObjFile, Plane, RoundedDie, Sphere, Torus};
@@ -76,6 +77,6 @@ pub use registry::{evaluator, registry};
 pub use shading::HairLightingNode;
 #[cfg(feature = "gpu")]
 pub use sheet::SideBySide;
-pub use stats::{Stats, repair_counts};
+pub use stats::{Stats, repair_counts, warnings};
 #[cfg(feature = "gpu")]
 pub use turns::{Contender, fur_of, time_in_turn};
