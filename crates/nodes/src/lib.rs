@@ -76,7 +76,7 @@ pub use reference::{RayReport, ReferenceImage, ShadowsBy};
 pub use registry::{evaluator, registry};
 pub use shading::HairLightingNode;
 #[cfg(feature = "gpu")]
-pub use sheet::SideBySide;
+pub use sheet::{Arranged, SideBySide};
 pub use stats::{Stats, repair_counts, warnings};
 #[cfg(feature = "gpu")]
 pub use turns::{Contender, fur_of, time_in_turn};

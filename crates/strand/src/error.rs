@@ -41,7 +41,9 @@ pub enum StrandError {
         second: usize,
     },
     /// A guide hair holds NaN, an infinity, or a point under the skin or too far away.
-    #[error("guide {guide} is not usable at point {point}: coordinates must be finite, at most {limit} heights from the root, and not under the skin")]
+    #[error(
+        "guide {guide} is not usable at point {point}: coordinates must be finite, at most {limit} heights from the root, and not under the skin"
+    )]
     BadGuide {
         /// Index of the guide in the order given.
         guide: usize,

@@ -3,7 +3,8 @@
 #![allow(clippy::unwrap_used, clippy::print_stdout, reason = "a test that cannot go on fails, and says what it measured")]
 
 use pelage_strand::{
-    Bands, GrowSettings, MAX_STRANDS, Opacity, Root, Strand, StrandError, StrandSource, StrandTile, Style, TileNoise, Undercoat, grow, grow_at,
+    Bands, GrowSettings, MAX_STRANDS, Opacity, Root, Strand, StrandError, StrandSource, StrandTile, Style, TileNoise, Undercoat, grow,
+    grow_at,
 };
 use proptest::prelude::*;
 use std::f64::consts::TAU;
