@@ -3,7 +3,7 @@
 #![allow(clippy::unwrap_used, clippy::print_stdout, reason = "a test that cannot go on fails, and says what it measured")]
 
 use pelage_strand::{Bands, GrowSettings, Opacity, Stop, StrandSource, StrandTile, Undercoat, grow};
-use pelage_volume::{FinAcross, FinSettings, ShellSettings, linear_to_srgb, sample_fin, sample_shells, srgb_to_linear};
+use pelage_volume::{FinAcross, FinSettings, ShellSettings, sample_fin, sample_shells, srgb_to_linear};
 
 fn leaning() -> StrandTile {
     let hair =
@@ -86,10 +86,9 @@ fn bands_narrower_than_a_layer_are_averaged() {
     println!("reached: {:.3} where the mean is 0.72", grey(4));
     assert!((grey(4) - 0.72).abs() < 0.01, "{}", grey(4));
     assert!((grey(2) - 0.8).abs() < 0.01, "{}", grey(2));
-    let _ = linear_to_srgb(0.5);
 }
 
-/// Light through layers of hair half opaque, beside what passes the hair itself.
+/// Light through layers of translucent hair, beside what passes the hair itself: less of it, as the book says by how much.
 #[test]
 fn light_passes_translucent_layers_as_it_does_the_hair() {
     let bare = Undercoat { count: 0, ..Undercoat::default() };
@@ -100,6 +99,8 @@ fn light_passes_translucent_layers_as_it_does_the_hair() {
         for slope in [0.0, 1.0, 3.732] {
             let [layers, truth] = [stack.transmittance(0, [slope, 0.0]), hair.transmittance([slope, 0.0], 512)].map(Option::unwrap);
             println!("reached: opacity {root} to {tip}, slope {slope}: {layers:.3} through layers, {truth:.3} through hair");
+            // Along the normal a hair is in several layers at one place, which add up; the more light it lets through the more that counts.
+            assert!(truth - layers < 0.22 && layers - truth < 0.08, "opacity {root} to {tip}, slope {slope}: {layers} {truth}");
         }
     }
 }
