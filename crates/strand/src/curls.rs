@@ -18,7 +18,7 @@ pub struct Curls {
 }
 
 impl StrandTile {
-    /// How fine the curls are; `None` where no hair goes round once, or only within its own thickness.
+    /// How fine the curls are; `None` where no hair goes round once, or only within its own thickness, or too slightly to be seen.
     ///
     /// ```
     /// use pelage_strand::{GrowSettings, Style, grow};
@@ -34,6 +34,9 @@ impl StrandTile {
         Some(Curls { share, width: median(&mut widths)?, rise: median(&mut rises)? })
     }
 }
+
+/// Hair that goes less far sideways, over its height, is straight to the eye: whoever loses its waves loses little.
+const LEAST_WAY: f64 = 0.4;
 
 /// How wide a hair's curls are and how high it climbs in one.
 fn curl(strand: &Strand<'_>) -> Option<(f64, f64)> {
@@ -61,7 +64,7 @@ fn curl(strand: &Strand<'_>) -> Option<(f64, f64)> {
     let radius = strand.radii.iter().map(|&r| f64::from(r)).sum::<f64>() / strand.radii.len() as f64;
     let width = 2.0 * way / turned;
     let top = strand.points.iter().fold(0.0f64, |top, p| top.max(f64::from(p[2])));
-    (turned >= TAU && width > radius).then_some((width, top * TAU / turned))
+    (turned >= TAU && width > radius && way > LEAST_WAY * top).then_some((width, top * TAU / turned))
 }
 
 fn median(values: &mut [f64]) -> Option<f64> {

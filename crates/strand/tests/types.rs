@@ -209,6 +209,14 @@ fn patterns_repeat_with_the_tile_and_take_half_of_it() {
         }
         assert_eq!(pattern.value(0.0, 0.0, 0.3), 1.0);
     }
+    // As many as asked: whole, half way to the next, and next, across, along and aslant.
+    let along = |pattern: Pattern, x: f64, y: f64| [0.0, 0.5, 1.0].map(|step| pattern.value(x * step, y * step, 0.3));
+    assert_eq!(along(Pattern::Stripes { along_s: 3, along_t: 0 }, 1.0 / 3.0, 0.0), [1.0, 0.0, 1.0]);
+    assert_eq!(along(Pattern::Stripes { along_s: 2, along_t: 5 }, 0.0, 0.2), [1.0, 0.0, 1.0]);
+    assert_eq!(along(Pattern::Checks { count: 3 }, 1.0 / 3.0, 0.0), [1.0, 0.0, 1.0]);
+    assert_eq!(along(Pattern::Checks { count: 3 }, 1.0 / 3.0, 1.0 / 3.0), [1.0, 1.0, 1.0]);
+    assert_eq!(along(Pattern::Dots { count: 3 }, 1.0 / 3.0, 0.0), [1.0, 0.0, 1.0]);
+    assert_eq!(along(Pattern::Dots { count: 3 }, 1.0 / 3.0, 1.0 / 3.0), [1.0, 1.0, 1.0]);
 }
 
 #[test]
@@ -572,6 +580,9 @@ fn curls_are_measured_and_straight_hair_has_none() {
     // Half a turn is no curl, and one within the hair's own thickness is none that anybody sees.
     assert_eq!(curls(Style::Curly { radius: 0.05, turns: 0.4 }, 0.002), None);
     assert_eq!(curls(Style::Curly { radius: 0.001, turns: 4.0 }, 0.01), None);
+    // Nor are the slight waves of the default coat.
+    let default = grow(&GrowSettings { count: 100, ..GrowSettings::default() }).unwrap().curls();
+    assert!(default.is_none_or(|curls| curls.share < 0.05), "{default:?}");
     assert_eq!(StrandTile::empty(0.3).curls(), None);
 }
 
