@@ -39,7 +39,7 @@ fn pairs_by_layers(bencher: Bencher<'_, '_>, layers: u32) {
 }
 
 /// A hundred thousand strands, grown and sampled into 16 layers of 256²; the counter is strands.
-#[divan::bench(sample_count = 3, sample_size = 1)]
+#[divan::bench(sample_count = 1, sample_size = 1)]
 fn a_hundred_thousand_grown_and_sampled(bencher: Bencher<'_, '_>) {
     let count = 100_000;
     let settings =
