@@ -45,6 +45,10 @@ impl Progress {
             for entry in evaluation.trace() {
                 say(entry);
             }
+            for warning in pelage_nodes::warnings(evaluation) {
+                // Nothing is left to do if standard error is gone.
+                let _ = writeln!(std::io::stderr(), "warning: {warning}");
+            }
         }
     }
 }

@@ -58,8 +58,10 @@ impl Render {
         let mut request = Request::output(&output).with_observer(progress.clone());
         if self.stats.is_some() {
             request = request.and_output(&frame).with_all_values();
-            for repairs in repairs_behind(&checked, &output) {
-                request = request.and_output(&repairs);
+        }
+        if self.stats.is_some() || self.verbose {
+            for report in reports_behind(&checked, &output) {
+                request = request.and_output(&report);
             }
         }
         let evaluation = evaluator.run(&checked, &request)?;
@@ -125,10 +127,10 @@ pub(crate) fn makes_pictures(registry: &Registry, graph: &Graph, output: &str) -
     specification.is_some_and(|specification| specification.outputs.iter().any(|port| port.name == "frame"))
 }
 
-/// The outputs among those an output draws on that say what was mended in a model.
-fn repairs_behind(graph: &CheckedGraph, output: &str) -> Vec<String> {
+/// The outputs among those an output draws on that say what was mended in a model, and whether curls are too fine.
+fn reports_behind(graph: &CheckedGraph, output: &str) -> Vec<String> {
     let nodes: Vec<&str> = graph.behind(output).map(NodeId::as_str).collect();
-    let reports = graph.outputs().filter(|(port, kind)| *kind == "RepairReport" && nodes.contains(&node_of(port)));
+    let reports = graph.outputs().filter(|(port, kind)| ["RepairReport", "CurlReport"].contains(kind) && nodes.contains(&node_of(port)));
     reports.map(|(port, _)| port).collect()
 }
 

@@ -180,6 +180,22 @@ fn overrides_say_what_is_wrong_with_them() {
 }
 
 #[test]
+fn curls_too_fine_for_the_shells_are_warned_of_where_one_asks() {
+    let (folder, graph, out) = folder();
+    let fine = ["hair.style=Curly(radius: 0.02, turns: 4)", "hair.thickness=0.0005", "hair.lean=0", "hair.steps=40", "hair.clump=0"];
+    let set: Vec<&str> = fine.iter().flat_map(|value| ["--set", value]).collect();
+    let stats = folder.path().join("stats.json");
+    let (code, _, error) = run(&[&["render", &graph, "-o", &out, "-v"], &set[..]].concat());
+    assert!(code == 0 && error.contains("warning: shells: curls are"), "{error}");
+    let (code, _, error) = run(&[&["render", &graph, "-o", &out, "--stats", stats.to_str().unwrap()], &set[..]].concat());
+    assert!(code == 0 && !error.contains("warning"), "{error}");
+    let stats: Value = serde_json::from_slice(&std::fs::read(stats).unwrap()).unwrap();
+    assert!(stats.pointer("/curls/warning").and_then(Value::as_str).is_some_and(|warning| warning.contains("texels wide")));
+    let (code, _, error) = run(&["render", &graph, "-o", &out, "-v"]);
+    assert!(code == 0 && !error.contains("warning"), "{error}");
+}
+
+#[test]
 fn a_path_given_here_is_relative_to_here() {
     let (_folder, _, out) = folder();
     let small = ["--set", "picture.size=(32, 24)", "--set", "shells.layers=2", "--set", "shells.resolution=16"];

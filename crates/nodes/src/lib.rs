@@ -66,8 +66,9 @@ pub use fields::{
 pub use framing::{CameraNode, Framing};
 pub use gltf_file::GltfFile;
 pub use hair::{
-    BlockForm, CompressShells, FinDirection, FinImage, GrowStrands, HairStyle, HairUndercoat, LevelsOfDetail, NotStraight, OneLayer,
-    OneLayerReport, SampleFin, SampleShells, ShareImages, ShellSpacing,
+    BlockForm, CompressShells, CurlReport, FinDirection, FinImage, GrowStrands, GuideHair, GuideStrands, HairBand, HairGather, HairNoise,
+    HairOffset, HairOpacity, HairPattern, HairStyle, HairTaper, HairUndercoat, LevelsOfDetail, MixStrands, NotStraight, OneLayer,
+    OneLayerReport, SampleFin, SampleShells, ShareImages, ShellSpacing, TilePattern,
 };
 pub use light::{EnvironmentNode, LightNode};
 pub use mesh_edits::{Join, Simplify, Subdivide, Transform};
@@ -84,7 +85,7 @@ pub use reference::{RayReport, ReferenceImage, ShadowsBy};
 pub use registry::{evaluator, registry};
 pub use shading::HairLightingNode;
 #[cfg(feature = "gpu")]
-pub use sheet::SideBySide;
-pub use stats::{Stats, repair_counts};
+pub use sheet::{Arranged, SideBySide};
+pub use stats::{Stats, repair_counts, warnings};
 #[cfg(feature = "gpu")]
 pub use turns::{Contender, fur_of, time_in_turn};

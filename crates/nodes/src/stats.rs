@@ -29,6 +29,10 @@ impl Stats {
         if found.shells.is_some() || found.fin.is_some() {
             stats.insert("textures".into(), textures(found.shells.as_deref(), found.fin.as_deref()));
         }
+        if let Some(curls) = found.curls.as_deref().filter(|curls| curls.share > 0.0) {
+            let crate::CurlReport { share, texels, layers } = *curls;
+            stats.insert("curls".into(), json!({ "share": share, "texels": texels, "layers_a_turn": layers, "warning": curls.warning() }));
+        }
         Self(stats)
     }
 
@@ -66,6 +70,7 @@ struct Found {
     tiling: Option<std::sync::Arc<PatchTiling>>,
     shells: Option<std::sync::Arc<ShellTexture>>,
     fin: Option<std::sync::Arc<FinTexture>>,
+    curls: Option<std::sync::Arc<crate::CurlReport>>,
 }
 
 impl Found {
@@ -76,6 +81,7 @@ impl Found {
             found.repairs = value.downcast::<RepairReport>().or(found.repairs);
             found.directions = value.downcast::<DirectionField>().or(found.directions);
             found.tiling = value.downcast::<PatchTiling>().or(found.tiling);
+            found.curls = value.downcast::<crate::CurlReport>().or(found.curls);
             if let Some(coat) = value.downcast::<Coat>() {
                 found.shells = Some(coat.shells.clone()).filter(|shells| **shells != ShellTexture::bare());
                 found.fin.clone_from(&coat.fin);
@@ -83,6 +89,12 @@ impl Found {
         }
         found
     }
+}
+
+/// What the nodes of an evaluation found wanting, though they did what they were asked: the node and how to mend it.
+pub fn warnings(evaluation: &Evaluation) -> Vec<String> {
+    let curls = evaluation.values().filter_map(|(node, _, value)| Some((node, value.downcast::<crate::CurlReport>()?.warning()?)));
+    curls.map(|(node, warning)| format!("{node}: {warning}")).collect()
 }
 
 fn trace(evaluation: &Evaluation) -> Value {

@@ -24,8 +24,9 @@
 //! - **Round cones**: a segment is the hull of two spheres, so that joints have no gaps; met in `f64`, kept in `f32`.
 //! - **Radius**: the strand's, in tile sides, times the side of a tile on the shell of that height: of the square with the same area, √(area of the shell's triangle /
 //!   area of the tile's). A tile that is stretched one way keeps round hairs, of the mean width.
-//! - **Opaque**: strands have no opacity. Only fur shorter than a thousandth of the diameter is there in part, as in the renderer; a hair is then met with that
-//!   probability, anew for each ray from the eye.
+//! - **There by chance**: hair that lets light through is met with the probability of its opacity at that place along it (stochastic transparency: E. Enderton and others
+//!   2010), and so is fur shorter than a thousandth of the diameter, which is there in part, as in the renderer. The chance is drawn anew for each ray from the eye, and once for
+//!   all of a hair: a ray that meets it twice meets it once. Opaque hair draws nothing.
 //! - **Cut** in shell space exactly: at outlines, where the coat's `ends` are, and at the outermost shell, and rays meet the cut. Free hair is cut at its axis, with a
 //!   round end.
 //! - **Straight** segments keep within [`Laying::tolerance`] radii of the true curve, in the tile and once more on the surface.

@@ -130,8 +130,8 @@ impl Picture<'_> {
         [mean.x as f32, mean.y as f32, mean.z as f32, (f64::from(met) / samples) as f32]
     }
 
-    /// What of a ray's way through a segment is met: what is in the face's part of shell space, and of hair that is there in part, by chance all or nothing, the same for all of a
-    /// strand at one sample.
+    /// What of a ray's way through a segment is met: what is in the face's part of shell space, and of hair that is there in part or lets light through, by chance all or nothing,
+    /// the same for all of a strand at one sample.
     fn shown(&self, ray: &Ray, number: usize, span: Span, (seed, index): (u32, u32)) -> Option<Span> {
         let scene = self.scene;
         let origin = &scene.origins[number];
@@ -141,8 +141,8 @@ impl Picture<'_> {
             return Some(span);
         }
         let part = cone::part_at(ray.at(span.enter), segment.axis(), segment.radii.map(f64::from));
-        let growth = scene.skin.growth(origin.face as usize, origin.beta_at(part));
-        (growth >= 1.0 || chance(seed, index, origin.copy) < growth).then_some(span)
+        let opaque = scene.skin.growth(origin.face as usize, origin.beta_at(part)) * scene.opacity(origin.strand, origin.along_at(part));
+        (opaque >= 1.0 || chance(seed, index, origin.copy) < opaque).then_some(span)
     }
 
     fn light(&self, ray: &Ray, hit: &Hit, sample: (u32, u32), scratch: &mut Scratch) -> DVec3 {
@@ -192,7 +192,11 @@ impl Scene<'_> {
     /// The hair's own colour a part of the way along its strand.
     fn hair_colour(&self, strand: u32, along: f64) -> DVec3 {
         let Some(strand) = self.tile.strand(strand as usize) else { return DVec3::ONE };
-        let [root, tip] = [strand.root_colour, strand.tip_colour].map(|colour| glam::Vec3::from(colour).as_dvec3());
-        root.lerp(tip, along)
+        glam::Vec3::from(strand.colour_at(along as f32)).as_dvec3()
+    }
+
+    /// How much of the light that meets a hair a part of the way along its strand does not get through.
+    fn opacity(&self, strand: u32, along: f64) -> f64 {
+        self.tile.strand(strand as usize).map_or(1.0, |strand| f64::from(strand.opacity_at(along as f32)))
     }
 }

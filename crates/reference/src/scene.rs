@@ -17,7 +17,7 @@ pub struct Scene<'a> {
     pub(crate) laying: Laying,
     pub(crate) tree: Tree,
     pub(crate) origins: Vec<Origin>,
-    /// Whether some hair is there in part only.
+    /// Whether some hair is there in part only, or lets light through.
     pub(crate) is_thin: bool,
     dropped: usize,
 }
@@ -54,7 +54,7 @@ impl<'a> Scene<'a> {
         let places = |face: usize| skin.vertices(face).map(|v| coat.surface.positions[v].as_dvec3());
         let triangles: Vec<[DVec3; 3]> = (0..coat.patches.faces.len()).map(places).collect();
         let tree = Tree::new(laid.segments, triangles);
-        let is_thin = (0..coat.surface.offsets.len()).any(|v| skin.growth_at(v) < 1.0);
+        let is_thin = !tile.is_opaque() || (0..coat.surface.offsets.len()).any(|v| skin.growth_at(v) < 1.0);
         Ok(Self { skin, tile, laying: *laying, tree, origins: laid.origins, is_thin, dropped: laid.dropped })
     }
 

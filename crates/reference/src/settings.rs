@@ -48,10 +48,10 @@ impl SkinColours {
         let (mut open, mut area, mut colour) = (1.0, 0.0, DVec3::ZERO);
         for strand in tile.strands() {
             let radius = f64::from(strand.radii.first().copied().unwrap_or_default());
-            let root = (PI * radius * radius).clamp(0.0, 1.0);
+            let root = (PI * radius * radius).clamp(0.0, 1.0) * f64::from(strand.opacity_at(0.0));
             open *= 1.0 - root;
             area += root;
-            colour += Vec3::from(strand.root_colour).as_dvec3() * root;
+            colour += Vec3::from(strand.colour_at(0.0)).as_dvec3() * root;
         }
         let roots = if area > 0.0 { colour / area } else { under_fur };
         Self { under_fur, bare: roots.lerp(under_fur, open) }

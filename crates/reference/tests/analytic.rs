@@ -9,7 +9,7 @@ use glam::{DVec3, Vec2, Vec3};
 use pelage_coat::{Camera, Irradiance, Light, Lights};
 use pelage_lighting::{DirectionalLight, HairPoint, Illumination, SelfShadow, Shading};
 use pelage_reference::{Laying, Placement, Scene, Settings, Shadows, SkinColours, View, quiet};
-use pelage_strand::{GrowSettings, StrandSource, Undercoat, grow};
+use pelage_strand::{Bands, GrowSettings, Opacity, Stop, StrandSource, Undercoat, grow};
 use support::{above, area, covered, dark_skin, hair, hull_area, square, tile};
 
 #[test]
@@ -72,6 +72,40 @@ fn grown_hair_lets_through_what_its_tile_says() {
     let seen = covered(&square(5, 4.0), &hair, &Laying { tolerance: 0.02, ..dark_skin() }, above(Vec3::ZERO, 0.5), 160, 16);
     let got = area(&seen, 1.0);
     assert!((got - wanted).abs() < 2e-3, "{got} of {wanted}");
+}
+
+/// Half opaque, a hair covers half of its hull; two over each other three quarters; and where it fades from root to tip, its mean.
+#[test]
+fn translucent_hair_covers_its_part() {
+    let coat = square(4, 1.0);
+    let rod = |height: f64| hair(&[[0.2, 0.5, height], [0.8, 0.5, height]], &[0.05; 2]);
+    let whole = hull_area(0.6, [0.05; 2]);
+    for (rods, opacity, wanted) in [
+        (vec![rod(0.5)], [0.5, 0.5], 0.5),
+        (vec![rod(0.4), rod(0.8)], [0.5, 0.5], 0.75),
+        (vec![rod(0.5)], [0.9, 0.1], 0.5),
+        (vec![rod(0.5)], [0.0, 0.0], 0.0),
+        (vec![rod(0.5)], [1.0, 1.0], 1.0),
+    ] {
+        let opacity = Opacity { root: opacity[0], tip: opacity[1], variation: 0.0 };
+        let tile = tile(&rods).tinted(Bands::default(), &opacity).unwrap();
+        let seen = covered(&coat, &tile, &dark_skin(), above(Vec3::ZERO, 1.0), 160, 64);
+        assert!((area(&seen, 1.0) / whole - wanted).abs() < 5e-3, "{opacity:?}: {} of {wanted}", area(&seen, 1.0) / whole);
+    }
+}
+
+#[test]
+fn a_banded_hair_is_seen_in_its_bands() {
+    let stop = |along: f32, grey: f32| Stop { along, colour: [grey; 3] };
+    let bands = Bands::new(&[stop(0.0, 0.9), stop(0.4, 0.9), stop(0.4, 0.2), stop(0.7, 0.2), stop(0.7, 0.6)]).unwrap();
+    let tile = tile(&[hair(&[[0.0, 0.5, 0.5], [1.0, 0.5, 0.5]], &[0.05; 2])]).tinted(bands, &Opacity::default()).unwrap();
+    let seen = covered(&square(4, 1.0), &tile, &dark_skin(), above(Vec3::ZERO, 1.0), 100, 16);
+    for x in 2..98 {
+        let along = (x as f64 + 0.5) / 100.0;
+        let wanted = f64::from(bands.at(along as f32)[0]);
+        let near_edge = [0.4, 0.7].iter().any(|edge| (along - edge).abs() < 0.02);
+        assert!(near_edge || (seen[50 * 100 + x] - wanted).abs() < 0.01, "{along}: {} of {wanted}", seen[50 * 100 + x]);
+    }
 }
 
 #[test]

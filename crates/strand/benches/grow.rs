@@ -2,7 +2,7 @@
 #![allow(clippy::print_stdout, reason = "a benchmark prints")]
 
 use divan::{Bencher, black_box, counter::ItemsCount};
-use pelage_strand::{GrowSettings, TileNoise, Undercoat, grow};
+use pelage_strand::{Amounts, ByNoise, Gather, GrowSettings, Guide, Offset, StrandTile, Style, TileNoise, Undercoat, grow, guided};
 use std::time::Instant;
 
 fn main() {
@@ -20,6 +20,34 @@ fn strands(bencher: Bencher<'_, '_>, count: u32) {
 fn default_coat(bencher: Bencher<'_, '_>) {
     let settings = GrowSettings::default();
     bencher.counter(ItemsCount::new(settings.strand_count())).bench(|| grow(black_box(&settings)));
+}
+
+/// Each type, guard hairs alone.
+#[divan::bench(args = ["straight", "woolly", "spiky", "varied"], sample_count = 5, sample_size = 1)]
+fn types(bencher: Bencher<'_, '_>, kind: &str) {
+    let plain = GrowSettings {
+        count: 4000,
+        style: Style::Straight,
+        undercoat: Undercoat { count: 0, ..Undercoat::default() },
+        ..GrowSettings::default()
+    };
+    let amounts = Amounts { length: 0.5, thickness: 0.5, colour: 0.5, tip: 0.5, bend: 0.5 };
+    let settings = match kind {
+        "woolly" => GrowSettings { style: Style::Woolly { radius: 0.1, turns: 3.0, irregularity: 0.7 }, ..plain },
+        "spiky" => GrowSettings { gather: Gather::Spiky { strength: 0.9, offset: Offset::Sine }, ..plain },
+        "varied" => GrowSettings { by_noise: ByNoise { cells: 4, amounts }, ..plain },
+        _ => plain,
+    };
+    bencher.counter(ItemsCount::new(settings.count)).bench(|| grow(black_box(&settings)));
+}
+
+/// The default coat bent along guides; the counter is strands.
+#[divan::bench(args = [4, 64, 1024], sample_count = 5, sample_size = 1)]
+fn guides(bencher: Bencher<'_, '_>, count: u32) {
+    let tile = grow(&GrowSettings::default()).unwrap_or_else(|_| StrandTile::empty(0.35));
+    let place = |k: u32| [0.618_034 * f64::from(k), 0.754_878 * f64::from(k)];
+    let guides: Vec<Guide> = (0..count).map(|k| Guide { root: place(k), points: vec![[0.2, 0.1, 0.5], [0.5, 0.0, 0.8]] }).collect();
+    bencher.counter(ItemsCount::new(tile.strand_count())).bench(|| guided(black_box(&tile), &guides));
 }
 
 /// The best of five, in nanoseconds.

@@ -10,9 +10,10 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     println!("{:>10} {:>8} {:>8} {:>8} {:>12} {:>10}", "style", "strands", "points", "height", "mean length", "bytes");
     let styles = [
         ("straight", Style::Straight),
-        ("wavy", Style::Wavy { amplitude: 0.01, waves: 2.0 }),
-        ("curly", Style::Curly { radius: 0.02, turns: 2.0 }),
-        ("zigzag", Style::Zigzag { amplitude: 0.01, waves: 3.0 }),
+        ("wavy", Style::Wavy { amplitude: 0.02857, waves: 2.0 }),
+        ("curly", Style::Curly { radius: 0.05714, turns: 2.0 }),
+        ("zigzag", Style::Zigzag { amplitude: 0.02857, waves: 3.0 }),
+        ("woolly", Style::Woolly { radius: 0.08571, turns: 3.0, irregularity: 0.7 }),
     ];
     for (name, style) in styles {
         let hair = grow(&GrowSettings { style, ..GrowSettings::default() })?;

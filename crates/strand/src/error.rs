@@ -20,8 +20,40 @@ pub enum StrandError {
         /// What the value counts.
         unit: &'static str,
     },
+    /// A list has too few or too many entries.
+    #[error("{name} has {length} entries, but must have {least} to {most}: {}", if length < least { "add some" } else { "leave some out" })]
+    ListLength {
+        /// The list's field name.
+        name: &'static str,
+        /// How many entries it has.
+        length: usize,
+        /// Fewest allowed.
+        least: usize,
+        /// Most allowed.
+        most: usize,
+    },
+    /// Two guide hairs stand in one place of the tile, so that hair there could not follow both.
+    #[error("guides {first} and {second} have the same root, give or take whole tiles: move one or leave it out")]
+    GuidesMeet {
+        /// Index of one in the order given.
+        first: usize,
+        /// Index of the other.
+        second: usize,
+    },
+    /// A guide hair holds NaN, an infinity, or a point under the skin or too far away.
+    #[error(
+        "guide {guide} is not usable at point {point}: coordinates must be finite, at most {limit} heights from the root, and not under the skin"
+    )]
+    BadGuide {
+        /// Index of the guide in the order given.
+        guide: usize,
+        /// Index of the point along it, 0 for the root.
+        point: usize,
+        /// How far a point may be, in heights.
+        limit: f64,
+    },
     /// More hairs were asked for than one tile may hold.
-    #[error("{asked} strands were asked for, but a tile holds at most {limit}: lower `count` or `undercoat.count`")]
+    #[error("{asked} strands were asked for, but a tile holds at most {limit}: lower `count`, `undercoat.count` or what is mixed in")]
     TooManyStrands {
         /// Guard hairs and undercoat together.
         asked: u64,
@@ -66,4 +98,9 @@ pub enum StrandError {
         /// How far away a root may lie, in tile sides.
         limit: f64,
     },
+}
+
+/// Refuses NaN too, as no comparison with it holds.
+pub(crate) fn within(name: &'static str, value: f64, low: f64, high: f64, unit: &'static str) -> Result<(), StrandError> {
+    if value >= low && value <= high { Ok(()) } else { Err(StrandError::OutOfRange { name, value, low, high, unit }) }
 }

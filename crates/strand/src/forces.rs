@@ -7,7 +7,6 @@ use crate::grow::Particles;
 use crate::noise::TileNoise;
 use crate::seed::{Purpose, mix};
 use crate::settings::GrowSettings;
-use crate::tile::Root;
 use crate::torus::{TorusGrid, shortest};
 use crate::traits::Traits;
 
@@ -28,13 +27,13 @@ pub(crate) struct Forces<'a> {
     shared: TileNoise,
     own_wander: &'a [[f64; 2]],
     /// For each strand the guide particle of its lock.
-    locks: Vec<u32>,
+    locks: &'a [u32],
     pushes: Vec<DVec3>,
 }
 
 impl<'a> Forces<'a> {
-    pub(crate) fn new(settings: &'a GrowSettings, traits: &'a [Traits], own_wander: &'a [[f64; 2]], roots: &[Root], length: f64) -> Self {
-        let count = roots.len();
+    pub(crate) fn new(settings: &'a GrowSettings, traits: &'a [Traits], own_wander: &'a [[f64; 2]], locks: &'a [u32], length: f64) -> Self {
+        let count = traits.len();
         // Hairs feel each other up to the mean distance of neighbours.
         let reach = (1.0 / (count.max(1) as f64).sqrt()).min(0.5);
         Self {
@@ -45,7 +44,7 @@ impl<'a> Forces<'a> {
             grid: TorusGrid::new(reach, count),
             shared: TileNoise::new(wander_seed(settings), SHARED_FREQUENCY),
             own_wander,
-            locks: if settings.clump > 0.0 { nearest_locks(settings, roots) } else { Vec::new() },
+            locks,
             pushes: vec![DVec3::ZERO; count],
         }
     }
@@ -60,7 +59,7 @@ impl<'a> Forces<'a> {
         // Each from what stood before the step, so that the bits do not depend on how many threads there are.
         let mut pushes = std::mem::take(&mut self.pushes);
         pushes.par_iter_mut().with_min_len(PARTICLES_A_TASK).enumerate().for_each(|(i, push)| {
-            *push = DVec3::new(0.0, 0.0, -self.settings.gravity);
+            *push = DVec3::new(0.0, 0.0, -self.settings.gravity * self.traits[i].bend);
             *push += self.wander(i, particles.places[i], step);
             *push += self.separation(i, &particles.places);
             *push += self.clump(i, &particles.places, time);
@@ -102,7 +101,7 @@ impl<'a> Forces<'a> {
 
     /// Steers to where the lock's guide is now, more and more urgently, so that the tip arrives.
     fn clump(&self, i: usize, places: &[DVec3], time: f64) -> DVec3 {
-        let Some(&lock) = self.locks.get(i) else { return DVec3::ZERO };
+        let Some(&lock) = self.locks.get(i).filter(|_| self.settings.clump > 0.0) else { return DVec3::ZERO };
         let to = places[lock as usize] - places[i];
         let sideways = DVec3::new(shortest(to.x), shortest(to.y), 0.0);
         let left = self.length * self.traits[i].length * (1.1 - time);
@@ -132,36 +131,6 @@ pub(crate) fn own_wander(settings: &GrowSettings, traits: &[Traits]) -> Vec<[f64
         }
     });
     values
-}
-
-/// The first roots stand evenly (see `roots`), so as many of them as locks fit are the locks' guides.
-fn nearest_locks(settings: &GrowSettings, roots: &[Root]) -> Vec<u32> {
-    let wanted = (1.0 / (settings.clump_size * settings.clump_size)).ceil() as usize;
-    let guides = wanted.min(roots.len()).max(1);
-    let place = |root: &Root| root.fraction.map(f64::from);
-    // Dart throwing keeps the nearest guide within about 1.5 lock widths; the search doubles where given roots do not.
-    let mut radius = 1.5 * settings.clump_size.max((1.0 / guides as f64).sqrt());
-    let mut locks = vec![u32::MAX; roots.len()];
-    while locks.contains(&u32::MAX) {
-        let whole = radius >= 0.75;
-        let mut grid = TorusGrid::new(if whole { 1.0 } else { radius }, guides);
-        grid.rebuild(roots.iter().take(guides).map(place));
-        for (lock, root) in locks.iter_mut().zip(roots).filter(|(lock, _)| **lock == u32::MAX) {
-            let from = place(root);
-            let mut best = if whole { f64::INFINITY } else { radius * radius };
-            grid.around(from, |j| {
-                let to = place(&roots[j]);
-                let d = [shortest(to[0] - from[0]), shortest(to[1] - from[1])];
-                let distance = d[0] * d[0] + d[1] * d[1];
-                if distance < best || (distance == best && (j as u32) < *lock) {
-                    best = distance;
-                    *lock = j as u32;
-                }
-            });
-        }
-        radius *= 2.0;
-    }
-    locks
 }
 
 /// A unit heading that does not go through the skin.

@@ -1,16 +1,20 @@
 //! The particle simulation: hairs grow together, one particle each (L7).
 
 use glam::DVec3;
-use libm::{asin, cos, pow, sin};
-use std::f64::consts::{FRAC_2_PI, TAU};
+use libm::cos;
 
+use crate::colour::Opacity;
 use crate::error::StrandError;
 use crate::forces::{Forces, own_wander};
+use crate::gather::{Gather, gather, shorten};
+use crate::locks::nearest_locks;
 use crate::roots::scatter;
 use crate::seed::Purpose;
-use crate::settings::{GrowSettings, Style};
+use crate::settings::GrowSettings;
+use crate::style::Shape;
 use crate::tile::{Root, StrandTile};
 use crate::traits::{Traits, draw};
+use crate::vary::Places;
 
 /// Growths at most until the hair is as high as asked.
 const FITS: u32 = 6;
@@ -67,13 +71,21 @@ struct Growth<'a> {
     roots: &'a [Root],
     traits: Vec<Traits>,
     own_wander: Vec<[f64; 2]>,
+    /// For each strand the one in the middle of its lock; empty where nothing asks.
+    locks: Vec<u32>,
+    shape: Shape,
 }
 
 impl<'a> Growth<'a> {
     fn new(settings: &'a GrowSettings, roots: &'a [Root]) -> Self {
-        let traits: Vec<Traits> = roots.iter().enumerate().map(|(index, &root)| draw(settings, index, root)).collect();
+        let places = Places::new(settings.seed, settings.by_noise, settings.by_pattern);
+        let mut traits: Vec<Traits> = roots.iter().enumerate().map(|(index, &root)| draw(settings, &places, index, root)).collect();
+        let in_locks = settings.clump > 0.0 || settings.gather != Gather::Free;
+        let locks = if in_locks { nearest_locks(settings.clump_size, roots) } else { Vec::new() };
+        shorten(settings, roots, &locks, &mut traits);
         let own_wander = own_wander(settings, &traits);
-        Self { settings, roots, traits, own_wander }
+        let shape = Shape::new(settings.style, settings.height, settings.seed);
+        Self { settings, roots, traits, own_wander, locks, shape }
     }
 
     /// Forces bend hair down, so the lengths that reach the asked height are found by growing again.
@@ -82,7 +94,7 @@ impl<'a> Growth<'a> {
         let mut length = height / cos(self.settings.lean.to_radians());
         let mut tile = self.run(length);
         for _ in 1..FITS {
-            let tops = tops(&tile);
+            let tops = self.tops(&tile);
             let usual = height / self.usual_top(&tops).max(1e-12);
             let highest = tops.iter().fold(0.0, |a: f64, &b| a.max(b));
             if (usual - 1.0).abs() < FIT_TOLERANCE && (highest / height - 1.0).abs() < FIT_TOLERANCE {
@@ -113,7 +125,7 @@ impl<'a> Growth<'a> {
         let steps = self.settings.steps as usize;
         let count = self.roots.len();
         let mut particles = self.at_the_roots();
-        let mut forces = Forces::new(self.settings, &self.traits, &self.own_wander, self.roots, length);
+        let mut forces = Forces::new(self.settings, &self.traits, &self.own_wander, &self.locks, length);
         // Time after time, as the simulation goes; strand after strand is made of it below.
         let mut trail = Vec::with_capacity(count * (steps + 1));
         trail.extend_from_slice(&particles.places);
@@ -122,6 +134,7 @@ impl<'a> Growth<'a> {
             self.advance(&mut particles, length, step);
             trail.extend_from_slice(&particles.places);
         }
+        gather(self.settings, self.roots, &self.locks, &self.traits, &mut trail);
         self.record(&trail)
     }
 
@@ -144,7 +157,7 @@ impl<'a> Growth<'a> {
             let guide = particles.guides[i] + heading * (length * traits.length / steps);
             let side = particles.sides[i];
             let side = (side - heading * side.dot(heading)).try_normalize().unwrap_or(side);
-            let place = guide + shape(self.settings.style, traits, heading, side, time);
+            let place = guide + self.shape.at(traits, heading, side, time);
             particles.sides[i] = side;
             particles.guides[i] = DVec3::new(guide.x, guide.y, guide.z.max(0.0));
             particles.places[i] = DVec3::new(place.x, place.y, place.z.max(0.0));
@@ -159,40 +172,20 @@ impl<'a> Growth<'a> {
         let mut tile = StrandTile::empty(if count == 0 { self.settings.height } else { f64::from(highest as f32) });
         for (i, traits) in self.traits.iter().enumerate() {
             let points = (0..=steps).map(|step| trail[step * count + i].as_vec3().to_array());
-            let radii = (0..=steps).map(|step| (traits.radius * self.taper(step as f64 / steps as f64)) as f32);
+            let taper = self.settings.taper;
+            let radii = (0..=steps).map(|step| (traits.radius * taper.at(step as f64 / steps as f64, traits.tip)) as f32);
             tile.push(self.roots[i].cell, points, radii, traits.root_colour, traits.tip_colour);
+        }
+        tile.set_populations(&[self.settings.count, self.settings.undercoat.count]);
+        if !self.settings.bands.is_empty() || self.settings.opacity != Opacity::default() {
+            tile.tint(self.settings.bands, self.traits.iter().map(|traits| traits.tint).collect());
         }
         tile
     }
 
-    /// Radius over that at the root (K6).
-    fn taper(&self, along: f64) -> f64 {
-        let tip = self.settings.tip_thickness;
-        tip + (1.0 - tip) * (1.0 - pow(along, self.settings.taper))
+    /// The highest point of each strand, over what its place leaves of it.
+    fn tops(&self, tile: &StrandTile) -> Vec<f64> {
+        let top = |points: &[[f32; 3]]| points.iter().fold(0.0, |top: f64, p| top.max(f64::from(p[2])));
+        tile.strands().zip(&self.traits).map(|(strand, traits)| top(strand.points) / traits.envelope).collect()
     }
-}
-
-/// The highest point of each strand.
-fn tops(tile: &StrandTile) -> Vec<f64> {
-    tile.strands().map(|strand| strand.points.iter().fold(0.0, |top: f64, p| top.max(f64::from(p[2])))).collect()
-}
-
-/// Where the hair is beside its guide at a time in [0, 1]; zero at the root.
-fn shape(style: Style, traits: &Traits, heading: DVec3, side: DVec3, time: f64) -> DVec3 {
-    let turned = |periods: f64| traits.phase + TAU * periods * time;
-    match style {
-        Style::Straight => DVec3::ZERO,
-        Style::Wavy { amplitude, waves } => side * (amplitude * (sin(turned(waves)) - sin(traits.phase))),
-        Style::Zigzag { amplitude, waves } => side * (amplitude * (triangle(turned(waves)) - triangle(traits.phase))),
-        Style::Curly { radius, turns } => {
-            let other = heading.cross(side) * traits.hand;
-            let angle = turned(turns);
-            (side * (cos(angle) - cos(traits.phase)) + other * (sin(angle) - sin(traits.phase))) * radius
-        }
-    }
-}
-
-/// The triangle wave that meets the sine at its zeros and peaks.
-fn triangle(angle: f64) -> f64 {
-    FRAC_2_PI * asin(sin(angle).clamp(-1.0, 1.0))
 }

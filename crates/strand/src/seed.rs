@@ -13,6 +13,9 @@ pub(crate) enum Purpose {
     Traits = 3,
     Noise = 4,
     LockNoise = 5,
+    Places = 6,
+    Wool = 7,
+    Locks = 8,
 }
 
 /// Steele, Lea and Flood 2014, "Fast splittable pseudorandom number generators": the finaliser of SplitMix64.

@@ -1,39 +1,16 @@
 //! What the hair shall be like.
 
-use crate::error::StrandError;
+use crate::colour::{Bands, Opacity};
+use crate::curve::Taper;
+use crate::error::{StrandError, within};
+use crate::gather::Gather;
+use crate::style::Style;
+use crate::vary::{self, ByNoise, ByPattern};
 
 /// Most strands in a tile, guard hairs and undercoat together.
 pub const MAX_STRANDS: u64 = 1 << 20;
 /// Most points in a tile (16 bytes each: 512 MiB).
 pub const MAX_POINTS: u64 = 1 << 25;
-
-/// The shape that every hair follows around the way it grows (K7).
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Style {
-    /// No shape of its own.
-    Straight,
-    /// A sine to one side and back.
-    Wavy {
-        /// How far to either side, in tile sides: 0 to 1.
-        amplitude: f64,
-        /// Periods from root to tip: 0 to 64.
-        waves: f64,
-    },
-    /// A helix, half of the hairs each way round.
-    Curly {
-        /// Of the helix, in tile sides: 0 to 1.
-        radius: f64,
-        /// From root to tip: 0 to 64.
-        turns: f64,
-    },
-    /// A triangle wave: straight runs and sharp bends.
-    Zigzag {
-        /// How far to either side, in tile sides: 0 to 1.
-        amplitude: f64,
-        /// Periods from root to tip: 0 to 64.
-        waves: f64,
-    },
-}
 
 /// The second, shorter population: down between the guard hairs. Deep layers become dense by it, upper ones stay open.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -57,18 +34,24 @@ pub struct GrowSettings {
     pub count: u32,
     /// Height that the longest hair reaches, in tile sides: 0.001 to 8.
     pub height: f64,
-    /// How much shorter hairs may be: the shortest is 1 − this of the longest, most are near the longest. 0 to 0.95.
+    /// How much shorter hairs may be: the shortest is 1 − this of the longest, most are near the longest (K3). 0 to 0.95.
     pub length_variation: f64,
     /// Radius at the root, in tile sides: 1e-6 to 0.25.
     pub thickness: f64,
+    /// How much thicker or thinner hairs may be, constant along a hair: 0 to 0.95.
+    pub thickness_variation: f64,
     /// Radius at the tip as a fraction of that at the root: 0 to 1.
     pub tip_thickness: f64,
-    /// How late the hair tapers: 1 is a cone, larger keeps its thickness longer. 0.1 to 10.
-    pub taper: f64,
+    /// How much thicker or thinner tips may be: 0 to 1.
+    pub tip_variation: f64,
+    /// How the radius goes from root to tip (K6).
+    pub taper: Taper,
     /// Shape around the way of growth.
     pub style: Style,
     /// Angle from upright towards +t that the hair grows at, in degrees: 0 to 75.
     pub lean: f64,
+    /// How much more or less than others a hair may bend, lean and gravity: 0 to 1.
+    pub bend_variation: f64,
     /// How much each hair's own heading differs from the lean, in degrees: 0 to 60.
     pub splay: f64,
     /// Pull back to the heading, per length grown: 0 (free) to 100 (stiff).
@@ -81,14 +64,26 @@ pub struct GrowSettings {
     pub separation: f64,
     /// How far tips gather to the lock's middle: 0 (none) to 1 (points).
     pub clump: f64,
-    /// Width of a lock, in tile sides: 0.01 to 1.
+    /// Width of a lock, of `clump` as of `gather`, in tile sides: 0.01 to 1.
     pub clump_size: f64,
+    /// How hairs lie in locks: not, in tufts or in spikes (K7).
+    pub gather: Gather,
     /// Linear RGB at the root, each 0 to 1.
     pub root_colour: [f32; 3],
     /// Linear RGB at the tip, each 0 to 1.
     pub tip_colour: [f32; 3],
     /// Brightness differs by up to this fraction from hair to hair, constant along a hair (K9): 0 to 1.
     pub colour_variation: f64,
+    /// Colours along the guard hairs in the place of those of root and tip, shared by all of them; none by default (K9).
+    pub bands: Bands,
+    /// What part of all hairs is white: 0 to 1 (K9).
+    pub white: f64,
+    /// How opaque hairs are, by hair and from root to tip (K9).
+    pub opacity: Opacity,
+    /// What smooth noise takes away from place to place (K6); nothing by default.
+    pub by_noise: ByNoise,
+    /// What a pattern takes away from place to place (K6); nothing by default.
+    pub by_pattern: ByPattern,
     /// The down between the guard hairs.
     pub undercoat: Undercoat,
     /// Time steps of the simulation and segments of a strand: 1 to 512. Cost is linear in it; below about 8 for each turn curls show corners.
@@ -110,10 +105,13 @@ impl Default for GrowSettings {
             height: 0.35,
             length_variation: 0.5,
             thickness: 0.0095,
+            thickness_variation: 0.15,
             tip_thickness: 0.15,
-            taper: 2.0,
-            style: Style::Wavy { amplitude: 0.008, waves: 1.2 },
+            tip_variation: 0.0,
+            taper: Taper::Power { exponent: 2.0 },
+            style: Style::Wavy { amplitude: 0.02286, waves: 1.2 },
             lean: 22.0,
+            bend_variation: 0.0,
             splay: 10.0,
             stiffness: 3.0,
             gravity: 0.5,
@@ -121,9 +119,15 @@ impl Default for GrowSettings {
             separation: 0.6,
             clump: 0.15,
             clump_size: 0.1,
+            gather: Gather::Free,
             root_colour: [0.16, 0.115, 0.08],
             tip_colour: [0.50, 0.41, 0.32],
             colour_variation: 0.3,
+            bands: Bands::default(),
+            white: 0.0,
+            opacity: Opacity::default(),
+            by_noise: ByNoise::default(),
+            by_pattern: ByPattern::default(),
             undercoat: Undercoat::default(),
             steps: 24,
             seed: 25,
@@ -148,7 +152,9 @@ impl GrowSettings {
         within("length_variation", self.length_variation, 0.0, 0.95, of_one)?;
         within("thickness", self.thickness, 1e-6, 0.25, sides)?;
         within("tip_thickness", self.tip_thickness, 0.0, 1.0, of_one)?;
-        within("taper", self.taper, 0.1, 10.0, "(exponent)")?;
+        within("thickness_variation", self.thickness_variation, 0.0, 0.95, of_one)?;
+        within("tip_variation", self.tip_variation, 0.0, 1.0, of_one)?;
+        within("bend_variation", self.bend_variation, 0.0, 1.0, of_one)?;
         within("lean", self.lean, 0.0, 75.0, "degrees")?;
         within("splay", self.splay, 0.0, 60.0, "degrees")?;
         within("stiffness", self.stiffness, 0.0, 100.0, "per length")?;
@@ -158,6 +164,7 @@ impl GrowSettings {
         within("clump", self.clump, 0.0, 1.0, of_one)?;
         within("clump_size", self.clump_size, 0.01, 1.0, sides)?;
         within("colour_variation", self.colour_variation, 0.0, 1.0, of_one)?;
+        within("white", self.white, 0.0, 1.0, of_one)?;
         within("undercoat.length", self.undercoat.length, 0.05, 1.0, "of the guard hairs'")?;
         within("undercoat.thickness", self.undercoat.thickness, 0.05, 4.0, "of the guard hairs'")?;
         for (name, colour) in
@@ -167,6 +174,10 @@ impl GrowSettings {
         }
         within("steps", f64::from(self.steps), 1.0, 512.0, "steps")?;
         self.style.validate()?;
+        self.taper.validate()?;
+        self.gather.validate()?;
+        self.opacity.validate()?;
+        vary::validate(&self.by_noise, &self.by_pattern)?;
         self.validate_size()
     }
 
@@ -181,22 +192,4 @@ impl GrowSettings {
         }
         Ok(())
     }
-}
-
-impl Style {
-    fn validate(&self) -> Result<(), StrandError> {
-        let (names, reach, periods) = match *self {
-            Self::Straight => return Ok(()),
-            Self::Wavy { amplitude, waves } => (["style.amplitude", "style.waves"], amplitude, waves),
-            Self::Curly { radius, turns } => (["style.radius", "style.turns"], radius, turns),
-            Self::Zigzag { amplitude, waves } => (["style.amplitude", "style.waves"], amplitude, waves),
-        };
-        within(names[0], reach, 0.0, 1.0, "tile sides")?;
-        within(names[1], periods, 0.0, 64.0, "periods")
-    }
-}
-
-/// Refuses NaN too, as no comparison with it holds.
-fn within(name: &'static str, value: f64, low: f64, high: f64, unit: &'static str) -> Result<(), StrandError> {
-    if value >= low && value <= high { Ok(()) } else { Err(StrandError::OutOfRange { name, value, low, high, unit }) }
 }

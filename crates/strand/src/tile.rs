@@ -1,5 +1,6 @@
 //! The grown hair: strands in structure-of-arrays.
 
+use crate::colour::{Bands, Opacity, Tint, shaded};
 use crate::error::StrandError;
 
 /// How far from the origin a hand-made strand may have its root, in tile sides.
@@ -65,6 +66,12 @@ pub struct StrandTile {
     pub(crate) root_colours: Vec<[f32; 3]>,
     pub(crate) tip_colours: Vec<[f32; 3]>,
     pub(crate) cells: Vec<[i32; 2]>,
+    /// Where each population ends: of each, every beginning stands evenly.
+    populations: Vec<u32>,
+    /// Colours that some strands share.
+    bands: Vec<Bands>,
+    /// One a strand; empty where all are of two colours and opaque.
+    tints: Vec<Tint>,
 }
 
 /// One strand of a tile, borrowed.
@@ -80,6 +87,12 @@ pub struct Strand<'a> {
     pub tip_colour: [f32; 3],
     /// Which tile the root stands in; [0, 0] for grown hair.
     pub cell: [i32; 2],
+    /// How opaque it is at the root and at the tip, 0 to 1.
+    pub opacity: [f32; 2],
+    /// Its colours along the way, where it has more than two; [`Strand::colour_at`] reads them.
+    pub bands: Option<&'a Bands>,
+    /// What those are multiplied by.
+    pub shade: f32,
 }
 
 impl StrandTile {
@@ -115,7 +128,72 @@ impl StrandTile {
             let points = points.enumerate().map(|(i, p)| if i == 0 { [root.fraction[0], root.fraction[1], p[2]] } else { p });
             tile.push(root.cell, points, source.radii.iter().map(|&r| r as f32), source.root_colour, source.tip_colour);
         }
+        tile.set_populations(&[sources.len() as u32]);
         Ok(tile)
+    }
+
+    /// The same hair, all of it as opaque as said and, where there are bands, of these colours; of those that it had else.
+    ///
+    /// # Errors
+    /// An opacity that is not within 0 to 1.
+    pub fn tinted(mut self, bands: Bands, opacity: &Opacity) -> Result<Self, StrandError> {
+        opacity.validate()?;
+        let tint = Tint {
+            bands: if bands.is_empty() { u32::MAX } else { 0 },
+            shade: 1.0,
+            opacity: [opacity.root, opacity.tip].map(|opacity| opacity as f32),
+        };
+        self.tint(bands, vec![tint; self.strand_count()]);
+        Ok(self)
+    }
+
+    /// Gives each strand its tint; of bands there are these only.
+    pub(crate) fn tint(&mut self, bands: Bands, tints: Vec<Tint>) {
+        for (strand, tint) in tints.iter().enumerate().filter(|(_, tint)| tint.bands == 0) {
+            self.root_colours[strand] = shaded(bands.at(0.0), tint.shade);
+            self.tip_colours[strand] = shaded(bands.at(1.0), tint.shade);
+        }
+        self.bands = vec![bands];
+        self.tints = tints;
+    }
+
+    /// Says how many strands each population has, in order.
+    pub(crate) fn set_populations(&mut self, counts: &[u32]) {
+        let ends = counts.iter().scan(0, |end, count| {
+            *end += count;
+            Some(*end)
+        });
+        self.populations = ends.collect();
+    }
+
+    /// The strands of each population in order, by number: of each, every beginning stands evenly.
+    pub(crate) fn populations(&self) -> impl Iterator<Item = std::ops::Range<usize>> {
+        let mut from = 0;
+        self.populations.iter().map(move |&end| std::mem::replace(&mut from, end as usize)..end as usize)
+    }
+
+    /// Appends a strand of another tile as it is.
+    pub(crate) fn push_strand(&mut self, strand: &Strand<'_>) {
+        let tint = self.tint_of(strand);
+        if tint != Tint::PLAIN && self.tints.is_empty() {
+            self.tints = vec![Tint::PLAIN; self.strand_count()];
+        }
+        if tint != Tint::PLAIN || !self.tints.is_empty() {
+            self.tints.push(tint);
+        }
+        self.push(strand.cell, strand.points.iter().copied(), strand.radii.iter().copied(), strand.root_colour, strand.tip_colour);
+    }
+
+    /// What a strand is tinted by here, its bands taken in if they are new.
+    fn tint_of(&mut self, strand: &Strand<'_>) -> Tint {
+        let bands = strand.bands.map_or(u32::MAX, |bands| {
+            let known = self.bands.iter().position(|known| known == bands).unwrap_or(self.bands.len());
+            if known == self.bands.len() {
+                self.bands.push(*bands);
+            }
+            known as u32
+        });
+        Tint { bands, shade: strand.shade, opacity: strand.opacity }
     }
 
     /// Appends one strand whose points are already relative to its cell.
@@ -153,18 +231,27 @@ impl StrandTile {
     /// Strand number `index`, or `None` beyond the last.
     pub fn strand(&self, index: usize) -> Option<Strand<'_>> {
         let range = *self.offsets.get(index)? as usize..*self.offsets.get(index + 1)? as usize;
+        let tint = self.tints.get(index).copied().unwrap_or(Tint::PLAIN);
         Some(Strand {
             points: self.points.get(range.clone())?,
             radii: self.radii.get(range)?,
             root_colour: *self.root_colours.get(index)?,
             tip_colour: *self.tip_colours.get(index)?,
             cell: *self.cells.get(index)?,
+            opacity: tint.opacity,
+            bands: self.bands.get(tint.bands as usize),
+            shade: tint.shade,
         })
     }
 
-    /// All strands in order; guard hairs come before the undercoat.
+    /// All strands in order; guard hairs come before the undercoat, the first tile of a mix before the second.
     pub fn strands(&self) -> impl Iterator<Item = Strand<'_>> {
         (0..self.strand_count()).filter_map(|index| self.strand(index))
+    }
+
+    /// Whether no hair lets light through.
+    pub fn is_opaque(&self) -> bool {
+        self.tints.iter().all(|tint| tint.opacity == [1.0; 2])
     }
 
     /// The same hair with every strand moved by whole tiles: the torus does not tell the two apart, and neither does any bit of the points.
@@ -184,6 +271,9 @@ impl StrandTile {
             + size_of_val(&self.root_colours[..])
             + size_of_val(&self.tip_colours[..])
             + size_of_val(&self.cells[..])
+            + size_of_val(&self.populations[..])
+            + size_of_val(&self.bands[..])
+            + size_of_val(&self.tints[..])
     }
 }
 

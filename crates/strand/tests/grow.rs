@@ -3,7 +3,8 @@
 #![allow(clippy::unwrap_used, clippy::print_stdout, reason = "a test that cannot go on fails, and says what it measured")]
 
 use pelage_strand::{
-    GrowSettings, MAX_STRANDS, Root, Strand, StrandError, StrandSource, StrandTile, Style, TileNoise, Undercoat, grow, grow_at,
+    Bands, GrowSettings, MAX_STRANDS, Opacity, Root, Strand, StrandError, StrandSource, StrandTile, Style, TileNoise, Undercoat, grow,
+    grow_at,
 };
 use proptest::prelude::*;
 use std::f64::consts::TAU;
@@ -222,7 +223,8 @@ fn leaning_hair_leans_by_its_angle() {
 #[test]
 fn curls_have_the_asked_radius_and_turns() {
     let (radius, turns, per_turn) = (0.03, 3.0, 12);
-    let tile = grow(&GrowSettings { style: Style::Curly { radius, turns }, steps: 36, ..free() }).unwrap();
+    let style = Style::Curly { radius: radius / free().height, turns };
+    let tile = grow(&GrowSettings { style, steps: 36, ..free() }).unwrap();
     let mut hands = [0, 0];
     for strand in tile.strands() {
         let points: Vec<[f64; 3]> = strand.points.iter().map(|p| p.map(f64::from)).collect();
@@ -240,8 +242,8 @@ fn curls_have_the_asked_radius_and_turns() {
 
 #[test]
 fn waves_reach_the_asked_amplitude_to_one_side_and_the_other() {
-    for style in [Style::Wavy { amplitude: 0.02, waves: 2.0 }, Style::Zigzag { amplitude: 0.02, waves: 2.0 }] {
-        let tile = grow(&GrowSettings { style, steps: 480, ..free() }).unwrap();
+    for style in [Style::Wavy { amplitude: 0.05, waves: 2.0 }, Style::Zigzag { amplitude: 0.05, waves: 2.0 }] {
+        let tile = grow(&GrowSettings { style, height: 0.4, steps: 480, ..free() }).unwrap();
         for strand in tile.strands() {
             let [x, y, _] = strand.points[0];
             let far = |p: &[f32; 3]| f64::from(p[0] - x).hypot(f64::from(p[1] - y));
@@ -345,7 +347,11 @@ fn hand_made_strands_are_brought_home_or_refused() {
 #[test]
 fn byte_size_counts_every_array() {
     let tile = grow(&GrowSettings { count: 10, steps: 4, undercoat: bare(), ..GrowSettings::default() }).unwrap();
-    assert_eq!(tile.byte_size(), 11 * 4 + 50 * (12 + 4) + 10 * (12 + 12 + 8));
+    let plain = 11 * 4 + 50 * (12 + 4) + 10 * (12 + 12 + 8) + 2 * 4;
+    assert_eq!(tile.byte_size(), plain);
+    // Hair of more than two colours, or that lets light through, says so for each strand, and its bands once.
+    let faint = tile.tinted(Bands::default(), &Opacity { root: 0.5, ..Opacity::default() }).unwrap();
+    assert_eq!(faint.byte_size(), plain + 10 * 16 + size_of::<Bands>());
 }
 
 #[test]

@@ -3,7 +3,7 @@
 #![allow(clippy::print_stdout, reason = "a benchmark prints")]
 
 use divan::{Bencher, black_box, counter::ItemsCount};
-use pelage_strand::{GrowSettings, StrandTile, grow};
+use pelage_strand::{GrowSettings, StrandTile, Undercoat, grow};
 use pelage_volume::{FinSettings, ShellSettings, sample_fin, sample_shells};
 use std::time::Instant;
 
@@ -36,6 +36,19 @@ fn pairs_by_layers(bencher: Bencher<'_, '_>, layers: u32) {
     let settings = settings(128, layers);
     let pairs = sample_shells(&tile, &settings).map_or(0, |stack| stack.work.pairs);
     bencher.counter(ItemsCount::new(pairs)).bench(|| sample_shells(&tile, black_box(&settings)));
+}
+
+/// A hundred thousand strands, grown and sampled into 16 layers of 256²; the counter is strands.
+#[divan::bench(sample_count = 1, sample_size = 1)]
+fn a_hundred_thousand_grown_and_sampled(bencher: Bencher<'_, '_>) {
+    let count = 100_000;
+    let settings =
+        GrowSettings { count, thickness: 0.0015, undercoat: Undercoat { count: 0, ..Undercoat::default() }, ..GrowSettings::default() };
+    bencher.counter(ItemsCount::new(count)).bench(|| {
+        grow(black_box(&settings))
+            .ok()
+            .and_then(|tile| sample_shells(&tile, &ShellSettings { resolution: 256, ..ShellSettings::default() }).ok())
+    });
 }
 
 #[divan::bench(sample_count = 5, sample_size = 1)]

@@ -21,7 +21,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     let kinds = [
         ("bunny", bunny),
         ("straight", GrowSettings { style: Style::Straight, lean: 0.0, wander: 0.1, clump: 0.0, gravity: 0.0, ..bunny }),
-        ("curly", GrowSettings { style: Style::Curly { radius: 0.03, turns: 2.0 }, lean: 10.0, steps: 40, ..bunny }),
+        ("curly", GrowSettings { style: Style::Curly { radius: 0.08571, turns: 2.0 }, lean: 10.0, steps: 40, ..bunny }),
         ("sparse", GrowSettings { count: 150, undercoat: bare, ..bunny }),
         ("dense", GrowSettings { count: 2500, thickness: 0.008, undercoat: Undercoat { count: 5000, ..bunny.undercoat }, ..bunny }),
         ("long", GrowSettings { height: 0.9, lean: 40.0, clump: 0.6, ..bunny }),

@@ -104,10 +104,9 @@ struct Hair<'a> {
     depth: f64,
 }
 
-/// A hair's colour by row of the picture.
-struct Shade {
-    root: [f32; 3],
-    tip: [f32; 3],
+/// A hair's colour and opacity by row of the picture.
+struct Shade<'a> {
+    strand: Strand<'a>,
     /// Rows from the bottom for the way from root to tip.
     rows: f32,
 }
@@ -155,9 +154,9 @@ impl<'a> SideView<'a> {
     }
 
     /// Height stands for the way along the hair.
-    fn shade(&self, hair: &Hair<'_>) -> Shade {
+    fn shade<'t>(&self, hair: &Hair<'t>) -> Shade<'t> {
         let top = hair.strand.points.iter().fold(0.0f32, |top, p| top.max(p[2]));
-        Shade { root: hair.strand.root_colour, tip: hair.strand.tip_colour, rows: (f64::from(top) * self.scale[1]).max(1e-6) as f32 }
+        Shade { strand: hair.strand, rows: (f64::from(top) * self.scale[1]).max(1e-6) as f32 }
     }
 
     /// The strips of a hair and their area, in texels, rows counted from the top.
@@ -202,17 +201,17 @@ struct Canvas {
 }
 
 impl Canvas {
-    fn cover(&mut self, x: i32, y: i32, covered: f32, shade: &Shade) {
+    fn cover(&mut self, x: i32, y: i32, covered: f32, shade: &Shade<'_>) {
         if y < 0 || y as usize >= self.height {
             return;
         }
         let index = y as usize * self.width + (x as usize & (self.width - 1));
-        let seen = covered * self.open[index];
-        self.open[index] -= seen;
         let up = ((self.height as f32 - y as f32 - 0.5) / shade.rows).min(1.0);
+        let seen = covered * shade.strand.opacity_at(up) * self.open[index];
+        self.open[index] -= seen;
         let texel = &mut self.plane.texels[index];
-        for ((sum, root), tip) in texel.iter_mut().zip(shade.root).zip(shade.tip) {
-            *sum += seen * (root + (tip - root) * up);
+        for (sum, colour) in texel.iter_mut().zip(shade.strand.colour_at(up)) {
+            *sum += seen * colour;
         }
         texel[3] += seen;
     }

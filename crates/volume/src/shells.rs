@@ -87,7 +87,7 @@ impl ShellSettings {
 /// Samples a tile of hair into shell layers with mips.
 ///
 /// The alpha of a texel is the fraction of its footprint (box and lateral Gaussian) that the layer's hair is expected to cover, seen along z; hairs count
-/// as independent, 1 − Π(1 − a). Layer 0 is opaque: hair over skin. The same bytes come out whatever the number of threads.
+/// as independent, 1 − Π(1 − a); a hair that lets light through counts as so much less. Layer 0 is opaque: hair over skin. The same bytes come out whatever the number of threads.
 ///
 /// # Errors
 /// Settings out of range, a box without height, or a strand that runs on for too long.
@@ -178,8 +178,8 @@ fn sample_layer(tile: &StrandTile, spans: &[(f32, f32)], settings: &ShellSetting
         work.cuts += 1;
         footprint.open(&cut.pieces);
         cut.pieces.iter().for_each(|piece| footprint.add(piece));
-        let colour = [0, 1, 2].map(|c| strand.root_colour[c] + (strand.tip_colour[c] - strand.root_colour[c]) * cut.along);
-        footprint.close(cut.mass as f32, |x, y, covered, toward| gathered.cover(x, y, covered, colour, toward));
+        let (colour, opacity) = look(&strand, &cut);
+        footprint.close(cut.mass as f32, |x, y, covered, toward| gathered.cover(x, y, covered * opacity, colour, toward));
     }
     work.pairs = footprint.pairs;
     let (mut plane, mut directions) = gathered.finish();
@@ -192,6 +192,12 @@ fn sample_layer(tile: &StrandTile, spans: &[(f32, f32)], settings: &ShellSetting
         lay_on_skin(&mut plane, settings.skin_colour);
     }
     Sampled { plane, directions, work }
+}
+
+/// What colour a hair has in a layer, and how opaque it is: bands are averaged over the layer, as they may be narrower than it.
+fn look(strand: &Strand<'_>, cut: &Cut) -> ([f32; 3], f32) {
+    let [from, to] = if strand.bands.is_some() { cut.within } else { [cut.along; 2] };
+    (strand.mean_colour(from, to), strand.opacity_at(cut.along))
 }
 
 /// One layer while hairs are added to it.

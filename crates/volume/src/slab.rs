@@ -42,6 +42,8 @@ pub(crate) struct Cut {
     rim: f64,
     /// 0 at the root, 1 at the tip.
     pub(crate) along: f32,
+    /// From where to where along the hair it is within the core.
+    pub(crate) within: [f32; 2],
 }
 
 impl Cut {
@@ -101,6 +103,7 @@ impl Slab {
         cut.rim = 0.0;
         let Some(nearest) = self.nearest(strand) else { return };
         cut.along = nearest.along as f32;
+        cut.within = [cut.along; 2];
         let (low, high) = self.reach();
         let mut pending = Pending::default();
         for index in 0..strand.points.len() - 1 {
@@ -130,6 +133,10 @@ impl Slab {
                 beside: if nearest.crossings > 1 { 0.0 } else { if part.middle_along() < nearest.along { -1.0 } else { 1.0 } },
                 core: if part.middle_height().abs() < self.core { None } else { Some(self.core.copysign(part.middle_height())) },
             };
+            if zone.core.is_none() {
+                let [from, to] = part.along.map(|along| along as f32);
+                cut.within = [cut.within[0].min(from), cut.within[1].max(to)];
+            }
             if let Some((done, zone)) = pending.take_in(part, zone, MERGE_DEVIATION * self.lateral) {
                 strip(&done, zone, cut);
             }

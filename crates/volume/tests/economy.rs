@@ -199,7 +199,7 @@ fn one_layer_has_levels_of_detail() {
 #[test]
 fn curly_hair_is_not_one_image() {
     let unlike = |settings: &GrowSettings| OneLayerFit::of(&sampled(settings, 16)).unwrap().unlikeness;
-    let curly = unlike(&GrowSettings { style: Style::Curly { radius: 0.05, turns: 2.0 }, ..straight() });
+    let curly = unlike(&GrowSettings { style: Style::Curly { radius: 0.14286, turns: 2.0 }, ..straight() });
     let leaning = unlike(&GrowSettings { lean: 40.0, ..straight() });
     assert!(curly > 0.5 && leaning > 0.5, "{curly} {leaning}");
 }

@@ -1,54 +1,10 @@
 //! Growing hair.
 
 use pelage_graph::{Colour, Context, Evaluate, Node, NodeError, Param};
-use pelage_strand::{GrowSettings, StrandTile, Style, Undercoat};
+use pelage_strand::{ByNoise, ByPattern, Gather, GrowSettings, Opacity, StrandTile, Style, Taper, Undercoat};
 
+use super::kinds::{HairBand, HairGather, HairNoise, HairOpacity, HairPattern, HairStyle, HairTaper, bands};
 use crate::shading::linear;
-
-/// The shape that every hair follows around the way it grows.
-#[derive(Clone, Debug, PartialEq, Param)]
-pub enum HairStyle {
-    /// No shape of its own.
-    Straight,
-    /// A sine to one side and back.
-    Wavy {
-        /// How far to either side.
-        #[param(default = 0.008, range = 0.0..=1.0, unit = "tile sides", effect = "wider waves")]
-        amplitude: f64,
-        /// Periods from root to tip.
-        #[param(default = 1.2, range = 0.0..=64.0, unit = "periods", effect = "finer waves; give at least 8 steps to each")]
-        waves: f64,
-    },
-    /// A helix.
-    Curly {
-        /// Its radius.
-        #[param(default = 0.02, range = 0.0..=1.0, unit = "tile sides", effect = "wider curls")]
-        radius: f64,
-        /// From root to tip.
-        #[param(default = 2.0, range = 0.0..=64.0, unit = "turns", effect = "finer curls; give at least 8 steps to each")]
-        turns: f64,
-    },
-    /// A triangle wave.
-    Zigzag {
-        /// How far to either side.
-        #[param(default = 0.015, range = 0.0..=1.0, unit = "tile sides", effect = "wider bends")]
-        amplitude: f64,
-        /// Periods from root to tip.
-        #[param(default = 3.0, range = 0.0..=64.0, unit = "periods", effect = "finer bends; give at least 8 steps to each")]
-        waves: f64,
-    },
-}
-
-impl From<&HairStyle> for Style {
-    fn from(style: &HairStyle) -> Self {
-        match *style {
-            HairStyle::Straight => Self::Straight,
-            HairStyle::Wavy { amplitude, waves } => Self::Wavy { amplitude, waves },
-            HairStyle::Curly { radius, turns } => Self::Curly { radius, turns },
-            HairStyle::Zigzag { amplitude, waves } => Self::Zigzag { amplitude, waves },
-        }
-    }
-}
 
 /// The down between the guard hairs: deep layers become dense by it, upper ones stay open.
 #[derive(Clone, Debug, PartialEq, Param)]
@@ -69,11 +25,11 @@ pub struct HairUndercoat {
 
 /// Hair grown by a particle simulation in a box that is toroidal along both skin axes (L7).
 #[derive(Node)]
-#[node(category = "Hair", version = 1)]
+#[node(category = "Hair", version = 2)]
 #[output(strands: StrandTile, "The hair of one tile.")]
 pub struct GrowStrands {
     /// Shape around the way of growth.
-    #[param(default = HairStyle::Wavy { amplitude: 0.008, waves: 1.2 })]
+    #[param(default = HairStyle::Wavy { amplitude: 0.02286, waves: 1.2 })]
     pub style: HairStyle,
     /// Guard hairs in a tile.
     #[param(default = 1400, range = 0..=1000000, unit = "strands a tile", effect = "100 is sparse, 1000 dense; cost is linear in it")]
@@ -87,15 +43,24 @@ pub struct GrowStrands {
     /// Radius at the root.
     #[param(default = 0.0095, range = 0.000001..=0.25, unit = "tile sides", effect = "thicker hair; under half a texel it turns translucent")]
     pub thickness: f64,
+    /// How much thicker or thinner hairs may be, constant along each.
+    #[param(default = 0.15, range = 0.0..=0.95, unit = "fraction", effect = "less even hair")]
+    pub thickness_variation: f64,
     /// Radius at the tip.
     #[param(default = 0.15, range = 0.0..=1.0, unit = "radii at the root", effect = "blunter tips")]
     pub tip_thickness: f64,
-    /// How late the hair tapers.
-    #[param(default = 2.0, range = 0.1..=10.0, unit = "exponent", effect = "1 is a cone, larger keeps its thickness longer")]
-    pub taper: f64,
+    /// How much thicker or thinner tips may be.
+    #[param(default = 0.0, range = 0.0..=1.0, unit = "fraction", effect = "less even tips")]
+    pub tip_variation: f64,
+    /// How the radius goes from root to tip.
+    #[param(default = HairTaper::Power { exponent: 2.0 })]
+    pub taper: HairTaper,
     /// From upright towards the way the fur lies.
     #[param(default = 22.0, range = 0.0..=75.0, unit = "degrees", effect = "hair leans within its tile, so layers differ more")]
     pub lean: f64,
+    /// How much more or less than others a hair may bend, lean and gravity.
+    #[param(default = 0.0, range = 0.0..=1.0, unit = "fraction", effect = "hairs lie in layers")]
+    pub bend_variation: f64,
     /// How much each hair's heading differs.
     #[param(default = 10.0, range = 0.0..=60.0, unit = "degrees", effect = "more unruly")]
     pub splay: f64,
@@ -117,6 +82,9 @@ pub struct GrowStrands {
     /// Width of a lock.
     #[param(default = 0.1, range = 0.01..=1.0, unit = "tile sides", effect = "fewer, wider locks")]
     pub clump_size: f64,
+    /// How hairs lie in locks, as wide as those of the clump.
+    #[param(default = HairGather::Free)]
+    pub gather: HairGather,
     /// Colour at the root.
     #[param(default = Colour([0.437, 0.374, 0.313]))]
     pub root_colour: Colour,
@@ -126,6 +94,21 @@ pub struct GrowStrands {
     /// How much the brightness differs from hair to hair.
     #[param(default = 0.3, range = 0.0..=1.0, unit = "fraction", effect = "larger: single hairs show more")]
     pub colour_variation: f64,
+    /// Colours along the guard hairs, from root to tip, in the place of those at root and tip: at most 8, as an agouti's bands. None: two colours.
+    #[param(default = Vec::new())]
+    pub bands: Vec<HairBand>,
+    /// What part of all hairs is white.
+    #[param(default = 0.0, range = 0.0..=1.0, unit = "fraction", effect = "greyer")]
+    pub white: f64,
+    /// How opaque hairs are.
+    #[param(default = HairOpacity::WHOLE)]
+    pub opacity: HairOpacity,
+    /// What smooth noise takes away from place to place.
+    #[param(default = HairNoise::NONE)]
+    pub by_noise: HairNoise,
+    /// What a pattern takes away from place to place.
+    #[param(default = HairPattern::NONE)]
+    pub by_pattern: HairPattern,
     /// The down between the guard hairs.
     #[param(default = HairUndercoat { count: 3200, length: 0.55, thickness: 0.7, colour: Colour([0.584, 0.532, 0.473]) })]
     pub undercoat: HairUndercoat,
@@ -144,10 +127,13 @@ impl Evaluate for GrowStrands {
             height: self.height,
             length_variation: self.length_variation,
             thickness: self.thickness,
+            thickness_variation: self.thickness_variation,
             tip_thickness: self.tip_thickness,
-            taper: self.taper,
+            tip_variation: self.tip_variation,
+            taper: Taper::try_from(&self.taper)?,
             style: Style::from(&self.style),
             lean: self.lean,
+            bend_variation: self.bend_variation,
             splay: self.splay,
             stiffness: self.stiffness,
             gravity: self.gravity,
@@ -155,9 +141,15 @@ impl Evaluate for GrowStrands {
             separation: self.separation,
             clump: self.clump,
             clump_size: self.clump_size,
+            gather: Gather::from(&self.gather),
             root_colour: linear(self.root_colour).to_array(),
             tip_colour: linear(self.tip_colour).to_array(),
             colour_variation: self.colour_variation,
+            bands: bands(&self.bands)?,
+            white: self.white,
+            opacity: Opacity::from(&self.opacity),
+            by_noise: ByNoise::from(&self.by_noise),
+            by_pattern: ByPattern::from(&self.by_pattern),
             undercoat: Undercoat {
                 count: self.undercoat.count,
                 length: self.undercoat.length,

@@ -3,10 +3,14 @@
 mod convert;
 mod economy;
 mod grow;
+mod guides;
+mod kinds;
 mod picture;
 mod sample;
 
 pub use economy::{BlockForm, CompressShells, LevelsOfDetail, NotStraight, OneLayer, OneLayerReport, ShareImages};
-pub use grow::{GrowStrands, HairStyle, HairUndercoat};
+pub use grow::{GrowStrands, HairUndercoat};
+pub use guides::{GuideHair, GuideStrands, MixStrands};
+pub use kinds::{HairBand, HairGather, HairNoise, HairOffset, HairOpacity, HairPattern, HairStyle, HairTaper, TilePattern};
 pub use picture::FinImage;
-pub use sample::{FinDirection, SampleFin, SampleShells, ShellSpacing};
+pub use sample::{CurlReport, FinDirection, SampleFin, SampleShells, ShellSpacing};

@@ -40,10 +40,42 @@ impl From<&ShellSpacing> for Spacing {
     }
 }
 
+/// Whether textures are fine enough for the curls of their hair.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct CurlReport {
+    /// What part of all hairs goes round, or forth and back, at least once.
+    pub share: f64,
+    /// How wide the median curl is, in texels; under 1 no texture can show it. 0 without curls.
+    pub texels: f64,
+    /// How many layers a curl climbs through in one turn; under 2 its layers are as if drawn at random. 0 without curls.
+    pub layers: f64,
+}
+
+impl CurlReport {
+    fn of(strands: &StrandTile, layers: u32, resolution: u32) -> Self {
+        let Some(curls) = strands.curls() else { return Self::default() };
+        let gap = strands.height() / f64::from(layers.saturating_sub(1).max(1));
+        Self { share: curls.share, texels: curls.width * f64::from(resolution), layers: curls.rise / gap }
+    }
+
+    /// What is wrong and how to mend it, if a tenth of the hair or more curls too finely.
+    pub fn warning(&self) -> Option<String> {
+        if self.share < 0.1 {
+            return None;
+        }
+        if self.texels < 1.0 {
+            return Some(format!("curls are {:.2} texels wide and are not seen: raise the resolution, or make curls wider", self.texels));
+        }
+        (self.layers < 2.0)
+            .then(|| format!("curls climb {:.1} layers in a turn and look broken: use more layers, or fewer turns", self.layers))
+    }
+}
+
 /// Shell layers by a tall Gaussian filter against the strands (L8).
 #[derive(Node)]
-#[node(category = "Hair", version = 3)]
+#[node(category = "Hair", version = 4)]
 #[output(shells: ShellTexture, "The layers, innermost first.", parts = [LAYERS, DIRECTIONS])]
+#[output(report: CurlReport, "Whether they are fine enough for the hair's curls.")]
 pub struct SampleShells {
     /// The hair.
     #[input]
@@ -83,7 +115,9 @@ impl Evaluate for SampleShells {
             ..ShellSettings::default()
         };
         let sample = if cx.wants_part("shells", LAYERS) { pelage_volume::sample_shells } else { pelage_volume::sample_skin };
-        Ok(shell_texture(sample(&self.strands, &settings)?).into())
+        let shells = shell_texture(sample(&self.strands, &settings)?);
+        let report = CurlReport::of(&self.strands, self.layers, self.resolution);
+        Ok(SampleShellsOutputs { shells: Some(Arc::new(shells)), report: Some(Arc::new(report)) })
     }
 
     fn needs(_: &Wanted<'_>, params: &Params<'_>) -> Needs {

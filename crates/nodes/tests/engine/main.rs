@@ -37,6 +37,7 @@ fn print(value: &Value) -> String {
         Shading,
         pelage_mesh::RepairReport,
         pelage_nodes::Curves,
+        pelage_nodes::CurlReport,
         pelage_nodes::OneLayerReport
     );
     // Its shapes show in where its skin is and in how fur lies on it.
