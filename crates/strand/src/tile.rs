@@ -1,5 +1,6 @@
 //! The grown hair: strands in structure-of-arrays.
 
+use crate::blend::EVERYWHERE;
 use crate::error::StrandError;
 
 /// How far from the origin a hand-made strand may have its root, in tile sides.
@@ -65,6 +66,10 @@ pub struct StrandTile {
     pub(crate) root_colours: Vec<[f32; 3]>,
     pub(crate) tip_colours: Vec<[f32; 3]>,
     pub(crate) cells: Vec<[i32; 2]>,
+    /// From where and up to where in the row of coats each stands.
+    pub(crate) stands: Vec<[f32; 2]>,
+    /// How many coats follow the first.
+    pub(crate) transitions: u32,
 }
 
 /// One strand of a tile, borrowed.
@@ -80,6 +85,8 @@ pub struct Strand<'a> {
     pub tip_colour: [f32; 3],
     /// Which tile the root stands in; [0, 0] for grown hair.
     pub cell: [i32; 2],
+    /// From where (included) up to where (not) in the row of coats it stands: [−∞, ∞] for hair of one coat. See [`StrandTile::row`].
+    pub stands: [f32; 2],
 }
 
 impl StrandTile {
@@ -133,6 +140,17 @@ impl StrandTile {
         self.root_colours.push(root_colour);
         self.tip_colours.push(tip_colour);
         self.cells.push(cell);
+        self.stands.push(EVERYWHERE);
+    }
+
+    /// Appends a strand of another tile, its height times `stretch`, standing where `stands` says.
+    pub(crate) fn copy(&mut self, other: &Self, index: usize, stretch: f64, stands: [f32; 2]) {
+        let Some(strand) = other.strand(index) else { return };
+        let points = strand.points.iter().map(|p| [p[0], p[1], (f64::from(p[2]) * stretch) as f32]);
+        self.push(strand.cell, points, strand.radii.iter().copied(), strand.root_colour, strand.tip_colour);
+        if let Some(last) = self.stands.last_mut() {
+            *last = stands;
+        }
     }
 
     /// How high the box is, in tile sides: no grown point is higher.
@@ -159,6 +177,7 @@ impl StrandTile {
             root_colour: *self.root_colours.get(index)?,
             tip_colour: *self.tip_colours.get(index)?,
             cell: *self.cells.get(index)?,
+            stands: *self.stands.get(index)?,
         })
     }
 
@@ -184,10 +203,17 @@ impl StrandTile {
             + size_of_val(&self.root_colours[..])
             + size_of_val(&self.tip_colours[..])
             + size_of_val(&self.cells[..])
+            + size_of_val(&self.stands[..])
     }
 }
 
 impl Strand<'_> {
+    /// Whether it stands at a place in the row of coats.
+    pub fn stands_at(&self, place: f64) -> bool {
+        let [from, to] = self.stands.map(f64::from);
+        from <= place && place < to
+    }
+
     /// Point number `index` on the endless plane of tiles, in tile sides; `None` beyond the tip.
     pub fn plane_point(&self, index: usize) -> Option<[f64; 3]> {
         let p = self.points.get(index)?.map(f64::from);

@@ -345,7 +345,7 @@ fn hand_made_strands_are_brought_home_or_refused() {
 #[test]
 fn byte_size_counts_every_array() {
     let tile = grow(&GrowSettings { count: 10, steps: 4, undercoat: bare(), ..GrowSettings::default() }).unwrap();
-    assert_eq!(tile.byte_size(), 11 * 4 + 50 * (12 + 4) + 10 * (12 + 12 + 8));
+    assert_eq!(tile.byte_size(), 11 * 4 + 50 * (12 + 4) + 10 * (12 + 12 + 8 + 8));
 }
 
 #[test]

@@ -26,7 +26,7 @@ pub(super) fn compressed_texture(stack: CompressedStack) -> ShellTexture {
 }
 
 pub(super) fn fin_texture(fin: pelage_volume::FinTexture) -> FinTexture {
-    FinTexture { tiles_across: fin.tiles_across as f32, mips: fin.mips.into_iter().map(mip).collect() }
+    FinTexture { tiles_across: fin.tiles_across as f32, mixtures: 1, mips: fin.mips.into_iter().map(mip).collect() }
 }
 
 /// The way back; blocks are decoded. What a coat does not keep is as if the stack were one tile side high and had cost nothing.
