@@ -111,7 +111,9 @@ pub enum CoatError {
         images: u32,
     },
     /// Fin and shells do not go together.
-    #[error("the fin has {fin} mixtures of hair, the shells have {shells}: make both of the same hair, with as many steps")]
+    #[error(
+        "the fin has {fin} mixtures of hair, the shells have {shells}: make both of the same hair with as many mixtures, or the fin with one"
+    )]
     FinMixtures {
         /// Those of the shells.
         shells: u32,
@@ -146,8 +148,8 @@ impl Coat {
         self.shells.check()?;
         let Some(fin) = &self.fin else { return Ok(()) };
         fin.check()?;
-        // A bare skin has one mixture, whatever the fins have.
-        let alike = fin.mixtures == self.shells.mixtures || self.shells.layers() == 1;
+        // One fin serves all; and a bare skin has one mixture, whatever the fins have.
+        let alike = fin.mixtures == 1 || fin.mixtures == self.shells.mixtures || self.shells.layers() == 1;
         if alike { Ok(()) } else { Err(CoatError::FinMixtures { shells: self.shells.mixtures, fin: fin.mixtures }) }
     }
 

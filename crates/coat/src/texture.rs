@@ -72,7 +72,7 @@ pub struct ShellTexture {
 pub struct FinTexture {
     /// How many tiles of hair the whole width shows.
     pub tiles_across: f32,
-    /// How many mixtures of hair there are, each an image: as [`ShellTexture::mixtures`].
+    /// How many mixtures of hair there are, each an image: as [`ShellTexture::mixtures`], or 1, which serves all.
     pub mixtures: u32,
     /// The finest level first, each half as wide and high as the one before, no side under one texel.
     pub mips: Vec<MipImage>,

@@ -58,8 +58,8 @@ pub use creature::{Animal, BodyPart, CreatureNode, PartFields, PartFur};
 pub use fields::{ColourRamp, DirectionConstraint, DirectionFieldNode, DirectionPoint, ImageField, PointFlow, ScalarRamp};
 pub use framing::{CameraNode, Framing};
 pub use hair::{
-    BlockForm, CompressShells, FinDirection, FinImage, GrowStrands, HairStyle, HairUndercoat, LevelsOfDetail, NotStraight, OneLayer,
-    OneLayerReport, SampleFin, SampleShells, ShareImages, ShellSpacing,
+    BlockForm, CoatsInARow, CompressShells, FinDirection, FinImage, GrowStrands, HairStyle, HairUndercoat, LevelsOfDetail, NotStraight,
+    OneLayer, OneLayerReport, SampleFin, SampleShells, ShareImages, ShellSpacing,
 };
 pub use light::{EnvironmentNode, LightNode};
 pub use models::{ObjFile, Plane, RoundedDie, Sphere, Torus};

@@ -44,6 +44,7 @@ pub fn registry() -> Registry {
         .node::<crate::PartFields>()
         .node::<crate::GrowPatches>()
         .node::<crate::GrowStrands>()
+        .node::<crate::CoatsInARow>()
         .node::<crate::SampleShells>()
         .node::<crate::LevelsOfDetail>()
         .node::<crate::ShareImages>()

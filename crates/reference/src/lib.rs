@@ -26,6 +26,7 @@
 //!   area of the tile's). A tile that is stretched one way keeps round hairs, of the mean width.
 //! - **Opaque**: strands have no opacity. Only fur shorter than a thousandth of the diameter is there in part, as in the renderer; a hair is then met with that
 //!   probability, anew for each ray from the eye.
+//! - **Of coats in a row** a hair is there where the surface's `mixes` say that it stands ([`StrandTile::row`](pelage_strand::StrandTile::row)): in shell space place by place, free hair by its root.
 //! - **Cut** in shell space exactly: at outlines, where the coat's `ends` are, and at the outermost shell, and rays meet the cut. Free hair is cut at its axis, with a
 //!   round end.
 //! - **Straight** segments keep within [`Laying::tolerance`] radii of the true curve, in the tile and once more on the surface.

@@ -20,6 +20,8 @@ pub(crate) struct Dressing<'a> {
     pub(crate) directions: Option<&'a DirectionField>,
     pub(crate) lengths: Option<&'a ScalarField>,
     pub(crate) colours: Option<&'a ColourField>,
+    /// Which of the coats in a row stands where.
+    pub(crate) coats: Option<&'a ScalarField>,
     pub(crate) shells: Arc<ShellTexture>,
     pub(crate) fin: Option<Arc<FinTexture>>,
     pub(crate) strands: &'a StrandTile,
@@ -55,6 +57,7 @@ fn surface(dressing: &Dressing, frame: &Frame) -> Surface {
     let lean = |curve: &Curve| Lean::of(dressing.strands, tile_side, dressing.length, curve);
     // Where there is no way to lie the hair is straight, however it bends elsewhere.
     let leans = dressing.looks.then(|| (lean(&dressing.curve), lean(&Curve::new(0.0, 0.0))));
+    let last_coat = f64::from(dressing.strands.coats() - 1);
     let mut surface = Surface::default();
     for vertex in mesh.vertices() {
         let normal = normals[vertex.index()];
@@ -67,8 +70,10 @@ fn surface(dressing: &Dressing, frame: &Frame) -> Surface {
         surface.offsets.push((length * hair.0).as_vec3());
         surface.bends.push((length * hair.1).as_vec3());
         surface.ends.push(end as f32);
+        let coat = dressing.coats.map_or(0.0, |field| f64::from(field.values()[vertex.index()])).clamp(0.0, last_coat);
+        surface.mixes.push(if last_coat > 0.0 { (coat / last_coat) as f32 } else { 0.0 });
         let lean = leans.as_ref().map(|(bent, straight)| if along == DVec3::ZERO { straight } else { bent });
-        surface.directions.push(lean.map_or(Vec3::ZERO, |lean| lean.direction(end, normal, along, hair).as_vec3()));
+        surface.directions.push(lean.map_or(Vec3::ZERO, |lean| lean.direction((coat, end), (normal, along), hair).as_vec3()));
         let colour = dressing.colours.map_or(Vec3::ONE, |field| field.values()[vertex.index()]);
         surface.colours.push(colour * dressing.tint);
     }

@@ -30,7 +30,7 @@ pub enum LengthsAs {
 
 /// Lays the hair tile on a tiled surface: how long the fur is, how it stands, what colour it has.
 #[derive(Node)]
-#[node(category = "Coat", version = 1)]
+#[node(category = "Coat", version = 2)]
 #[output(fur: Coat, "The coat, ready to draw.", parts = [SKIN, LAYERS, LEVELS, DIRECTIONS, FINS, LOOKS])]
 pub struct LayFur {
     /// The surface.
@@ -57,6 +57,9 @@ pub struct LayFur {
     /// Colours that multiply the hair's own (L18).
     #[input]
     pub colours: Option<Arc<ColourField>>,
+    /// Of hair that is coats in a row, which stands where: 0 is the first, 1 the second, and between them some of either (L24, K12). Without it the first stands everywhere.
+    #[input]
+    pub coats: Option<Arc<ScalarField>>,
     /// Length of the fur, from the skin to the outermost shell.
     #[param(default = 0.016, range = 0.0..=10.0, unit = "model diameters", effect = "longer: more fragments, and gaps between too few layers")]
     pub length: f64,
@@ -96,6 +99,7 @@ impl Evaluate for LayFur {
             directions: self.directions.as_deref(),
             lengths: self.lengths.as_deref(),
             colours: self.colours.as_deref(),
+            coats: self.coats.as_deref(),
             shells: self.shells.clone().unwrap_or_else(|| Arc::new(ShellTexture::bare())),
             fin: self.fin.clone(),
             strands: &self.strands,
@@ -141,6 +145,7 @@ impl LayFur {
         let fields = [
             ("the direction field", self.directions.as_ref().map(|f| f.vectors().len())),
             ("the length field", self.lengths.as_ref().map(|f| f.values().len())),
+            ("the field of coats", self.coats.as_ref().map(|f| f.values().len())),
             ("the colour field", self.colours.as_ref().map(|f| f.values().len())),
         ];
         for (what, found) in fields {

@@ -56,8 +56,10 @@ fn fin_fragment(in: FinVertex) -> @location(0) vec4f {
     let depth = 1.0 - in.fin.y;
 #if MIXED
     set_mixture(in.mix);
-    let first = textureSample(fin_texture, fin_sampler, vec2f(in.fin.x, depth), mixtures_before);
-    let next = textureSample(fin_texture, fin_sampler, vec2f(in.fin.x, depth), min(mixtures_before + 1u, u32(frame.mixes.y)));
+    // A drawn fin may be one for all.
+    let last = textureNumLayers(fin_texture) - 1u;
+    let first = textureSample(fin_texture, fin_sampler, vec2f(in.fin.x, depth), min(mixtures_before, last));
+    let next = textureSample(fin_texture, fin_sampler, vec2f(in.fin.x, depth), min(mixtures_before + 1u, last));
     var hair = mix(first, next, to_next_mixture);
 #else
     var hair = textureSample(fin_texture, fin_sampler, vec2f(in.fin.x, depth), 0);
