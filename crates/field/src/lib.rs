@@ -34,6 +34,7 @@
 //! Polar Coordinates on Polygonal Meshes, Computer Graphics Forum 31(8), 2012 (directions about a place).
 
 mod colour;
+mod comb;
 mod completion;
 mod constraints;
 mod direction;
@@ -47,6 +48,7 @@ mod singularity;
 mod transport;
 
 pub use colour::ColourField;
+pub use comb::{Brush, Comb, MOST_SLANT, Stroke, Tool};
 pub use completion::LEAST_PROJECTION;
 pub use constraints::Constraint;
 pub use direction::DirectionField;

@@ -30,6 +30,7 @@
 #[cfg(feature = "gpu")]
 mod budget;
 mod coat;
+mod comb;
 mod creature;
 mod fields;
 mod framing;
@@ -53,7 +54,8 @@ mod turns;
 
 #[cfg(feature = "gpu")]
 pub use budget::{Budget, FrameCost, FrameLimit, Quality, TableError};
-pub use coat::{LayFur, LengthsAs};
+pub use coat::{LayFur, LengthsAs, SlantAs};
+pub use comb::{CombStroke, CombStrokes, CombTool, StrokePath};
 pub use creature::{Animal, BodyPart, CreatureNode, PartFields, PartFur};
 pub use fields::{ColourRamp, DirectionConstraint, DirectionFieldNode, DirectionPoint, ImageField, PointFlow, ScalarRamp};
 pub use framing::{CameraNode, Framing};

@@ -42,6 +42,7 @@ pub fn registry() -> Registry {
         .node::<crate::ColourRamp>()
         .node::<crate::ImageField>()
         .node::<crate::PartFields>()
+        .node::<crate::CombStrokes>()
         .node::<crate::GrowPatches>()
         .node::<crate::GrowStrands>()
         .node::<crate::CoatsInARow>()
