@@ -50,6 +50,7 @@ fn bared(coat: &Coat, picked: &[[u32; 3]]) -> Coat {
         array.resize(2 * vertices as usize, Vec3::ZERO);
     }
     surface.ends.resize(2 * vertices as usize, 0.0);
+    surface.mixes.resize(2 * vertices as usize, 0.0);
     let patches = &mut coat.patches;
     patches.vertices.extend(patches.vertices.clone().iter().map(|vertex| vertex + vertices));
     patches.coordinates.extend_from_within(..);

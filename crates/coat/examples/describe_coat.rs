@@ -15,6 +15,7 @@ fn main() -> Result<(), CoatError> {
         offsets: vec![Vec3::new(0.0, 0.008, -0.006); 4],
         bends: vec![Vec3::ZERO; 4],
         ends: vec![1.0; 4],
+        mixes: vec![0.0; 4],
         directions: vec![Vec3::new(0.0, 0.8, -0.6); 4],
         colours: vec![Vec3::new(0.6, 0.4, 0.2); 4],
     };

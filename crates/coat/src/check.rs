@@ -1,6 +1,6 @@
 //! A coat whose arrays agree.
 
-use crate::{Coat, Encoding, MipImage, ShellTexture};
+use crate::{Coat, Encoding, FinTexture, MipImage, ShellTexture};
 
 /// What is wrong with a coat's arrays.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
@@ -102,6 +102,32 @@ pub enum CoatError {
         /// As many as it must have.
         expected: usize,
     },
+    /// Images that do not part into mixtures.
+    #[error("{images} images cannot be shared out to {mixtures} mixtures of hair: give each as many, and one mixture at least")]
+    Mixtures {
+        /// The mixtures.
+        mixtures: u32,
+        /// The images of all of them.
+        images: u32,
+    },
+    /// Fin and shells do not go together.
+    #[error(
+        "the fin has {fin} mixtures of hair, the shells have {shells}: make both of the same hair with as many mixtures, or the fin with one"
+    )]
+    FinMixtures {
+        /// Those of the shells.
+        shells: u32,
+        /// Those of the fin.
+        fin: u32,
+    },
+    /// A mixture that is not made as the first is.
+    #[error("mixture {mixture} is not as the first: {what}; make all of them with the same settings")]
+    Mixture {
+        /// Which.
+        mixture: usize,
+        /// What differs.
+        what: &'static str,
+    },
     /// A texture without layers, levels or texels.
     #[error("the {0} texture is empty; give it at least one layer, level and texel")]
     EmptyTexture(&'static str),
@@ -120,7 +146,11 @@ impl Coat {
         self.check_patches()?;
         self.check_edges()?;
         self.shells.check()?;
-        self.fin.as_ref().map_or(Ok(()), |fin| check_texture("fin", Encoding::Rgba8, 1, &fin.mips))
+        let Some(fin) = &self.fin else { return Ok(()) };
+        fin.check()?;
+        // One fin serves all; and a bare skin has one mixture, whatever the fins have.
+        let alike = fin.mixtures == 1 || fin.mixtures == self.shells.mixtures || self.shells.layers() == 1;
+        if alike { Ok(()) } else { Err(CoatError::FinMixtures { shells: self.shells.mixtures, fin: fin.mixtures }) }
     }
 
     fn check_surface(&self) -> Result<(), CoatError> {
@@ -137,8 +167,11 @@ impl Coat {
             check_length(name, array.len(), surface.positions.len())?;
             check_finite(name, array.iter().map(|v| v.is_finite()))?;
         }
-        check_length("surface.ends", surface.ends.len(), surface.positions.len())?;
-        check_finite("surface.ends", surface.ends.iter().map(|end| end.is_finite()))
+        for (name, array) in [("surface.ends", &surface.ends), ("surface.mixes", &surface.mixes)] {
+            check_length(name, array.len(), surface.positions.len())?;
+            check_finite(name, array.iter().map(|number| number.is_finite()))?;
+        }
+        Ok(())
     }
 
     fn check_patches(&self) -> Result<(), CoatError> {
@@ -174,6 +207,7 @@ impl ShellTexture {
     /// The first thing found wrong.
     pub fn check(&self) -> Result<(), CoatError> {
         check_texture("shell", self.encoding, self.images, &self.mips)?;
+        check_mixtures(self.mixtures, self.images)?;
         if let Some(directions) = &self.directions {
             check_texture("direction", Encoding::Rgba8, self.images, directions)?;
             check_length("directions", directions.len(), self.mips.len())?;
@@ -210,7 +244,7 @@ impl ShellTexture {
                 (!within(layer.height) || !within(layer.light_height), "its heights must be 0 to 1"),
                 (layer.height < before, "it must not stand below the shell before it"),
                 (shell == 0 && layer.height != 0.0, "the innermost must stand on the skin, at height 0"),
-                (layer.image >= self.images, "it shows an image past the end of the stack"),
+                (layer.image >= self.images / self.mixtures, "it shows an image past the end of the stack"),
                 (!within(layer.opacity), "its opacity must be 0 to 1"),
                 (!(layer.layers.is_finite() && layer.layers >= 0.0), "its number of layers must be finite and not negative"),
                 (
@@ -224,6 +258,21 @@ impl ShellTexture {
         }
         Ok(())
     }
+}
+
+impl FinTexture {
+    /// Checks that images are whole; [`Coat::check`] does it too.
+    ///
+    /// # Errors
+    /// The first thing found wrong.
+    pub fn check(&self) -> Result<(), CoatError> {
+        check_texture("fin", Encoding::Rgba8, self.mixtures, &self.mips)
+    }
+}
+
+/// Each mixture has as many images.
+fn check_mixtures(mixtures: u32, images: u32) -> Result<(), CoatError> {
+    if mixtures > 0 && images.is_multiple_of(mixtures) { Ok(()) } else { Err(CoatError::Mixtures { mixtures, images }) }
 }
 
 fn check_length(array: &'static str, length: usize, expected: usize) -> Result<(), CoatError> {

@@ -21,6 +21,7 @@
 //!     offsets: vec![Vec3::ZERO; 3],
 //!     bends: vec![Vec3::ZERO; 3],
 //!     ends: vec![1.0; 3],
+//!     mixes: vec![0.0; 3],
 //!     directions: vec![Vec3::Z; 3],
 //!     colours: vec![Vec3::ONE; 3],
 //! };
@@ -52,6 +53,7 @@
 mod camera;
 mod check;
 mod light;
+mod mixtures;
 mod texture;
 
 use std::sync::Arc;
@@ -93,6 +95,8 @@ pub struct Surface {
     pub bends: Vec<Vec3>,
     /// Where along *c_v* the hair is cut off, 0 to 1: above it there is none. 1: whole.
     pub ends: Vec<f32>,
+    /// Between which of the textures' mixtures of hair the hair is, from the first at 0 to the last at 1 (L24); beyond, as at the nearer end.
+    pub mixes: Vec<f32>,
     /// *T*: the mean of the hair's unit directions, for lighting, stored apart from the offset (L14). At most 1 long; the shorter, the more the hair differs.
     pub directions: Vec<Vec3>,
     /// A colour that multiplies the textures' (L18), 0 to 1.
@@ -161,7 +165,7 @@ impl Coat {
 
     /// How many bytes it holds, textures not counted twice where they are shared.
     pub fn byte_size(&self) -> usize {
-        self.surface.positions.len() * (6 * size_of::<Vec3>() + size_of::<f32>())
+        self.surface.positions.len() * (6 * size_of::<Vec3>() + 2 * size_of::<f32>())
             + self.patches.vertices.len() * 12
             + self.patches.faces.len() * 12
             + self.edges.vertices.len() * (8 + 8 + 24 + 4)

@@ -31,7 +31,7 @@ pub struct ShellLayer {
     pub height: f32,
     /// Where along *c_v* the hair that it shows is on average, as lighting has it: its own height, unless it shows several layers at once.
     pub light_height: f32,
-    /// Which image of the stack it shows.
+    /// Which image of the stack it shows, counted in those of one mixture.
     pub image: u32,
     /// Multiplies the image's alpha; 0 to 1. Straight hair is one image that its shells show ever fainter (L22).
     pub opacity: f32,
@@ -51,8 +51,11 @@ impl ShellLayer {
 pub struct ShellTexture {
     /// How the images' bytes are to be read.
     pub encoding: Encoding,
-    /// How many images.
+    /// How many images, of all mixtures.
     pub images: u32,
+    /// How many mixtures of hair there are, one after the other, each with as many images: where a coat becomes another, the hair at evenly spaced places from the first coat, at 0 of
+    /// [`Surface::mixes`](crate::Surface::mixes), to the last, at 1 (L24). 1: hair of one coat.
+    pub mixtures: u32,
     /// The images; the finest first, each half as wide as the one before.
     pub mips: Vec<MipImage>,
     /// The shells, innermost first, at each level of detail, the finest first (L16). The innermost is the opaque skin, at height 0. Shell *j* of a level
@@ -69,6 +72,8 @@ pub struct ShellTexture {
 pub struct FinTexture {
     /// How many tiles of hair the whole width shows.
     pub tiles_across: f32,
+    /// How many mixtures of hair there are, each an image: as [`ShellTexture::mixtures`], or 1, which serves all.
+    pub mixtures: u32,
     /// The finest level first, each half as wide and high as the one before, no side under one texel.
     pub mips: Vec<MipImage>,
 }
@@ -89,7 +94,7 @@ impl ShellTexture {
     pub fn stack(layers: u32, mips: Vec<MipImage>) -> Self {
         let step = 1.0 / layers.saturating_sub(1).max(1) as f32;
         let shells = (0..layers).map(|k| ShellLayer::plain(k as f32 * step, k)).collect();
-        Self { encoding: Encoding::Rgba8, images: layers, mips, levels: vec![shells], directions: None }
+        Self { encoding: Encoding::Rgba8, images: layers, mixtures: 1, mips, levels: vec![shells], directions: None }
     }
 
     /// No hair: a skin of one white texel, so that the surface's own colours are all there is to it. What a coat has where nobody looks at its textures.

@@ -19,6 +19,7 @@ fn coat() -> Coat {
             offsets: vec![0.1 * Vec3::Z; 4],
             bends: vec![Vec3::ZERO; 4],
             ends: vec![1.0; 4],
+            mixes: vec![0.0; 4],
             directions: vec![Vec3::Z; 4],
             colours: vec![Vec3::ONE; 4],
         },
@@ -30,7 +31,7 @@ fn coat() -> Coat {
         },
         edges: FinEdges { vertices: vec![[1, 2]], intervals: vec![[0.2, 0.4]], face_normals: vec![[Vec3::Z; 2]], curvatures: vec![0.5] },
         shells: Arc::new(ShellTexture::stack(3, vec![image(4, 4, 3), image(2, 2, 3), image(1, 1, 3)])),
-        fin: Some(Arc::new(FinTexture { tiles_across: 2.0, mips: vec![image(4, 2, 1), image(2, 1, 1), image(1, 1, 1)] })),
+        fin: Some(Arc::new(FinTexture { tiles_across: 2.0, mixtures: 1, mips: vec![image(4, 2, 1), image(2, 1, 1), image(1, 1, 1)] })),
     }
 }
 
@@ -95,7 +96,7 @@ fn every_fault_is_named() {
             CoatError::MipChain { texture: "shell", level: 1, width: 3, height: 2, expected_width: 2, expected_height: 2 },
         ),
         (
-            |c| c.fin = Some(Arc::new(FinTexture { tiles_across: 1.0, mips: vec![image(1, 1, 1), image(1, 1, 1)] })),
+            |c| c.fin = Some(Arc::new(FinTexture { tiles_across: 1.0, mixtures: 1, mips: vec![image(1, 1, 1), image(1, 1, 1)] })),
             CoatError::MipChain { texture: "fin", level: 1, width: 1, height: 1, expected_width: 1, expected_height: 1 },
         ),
     ];

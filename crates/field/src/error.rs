@@ -70,6 +70,26 @@ pub enum FieldError {
         /// The vertex.
         vertex: usize,
     },
+    /// A stroke is out of range.
+    #[error("the stroke cannot be made: {what}")]
+    Stroke {
+        /// What is wrong, and what is needed.
+        what: &'static str,
+    },
+    /// A stroke leaves the surface.
+    #[error(
+        "on its way to place {place} the stroke is at {at}, {distance} from the surface, further than its radius of {radius}; move it to the surface, or widen it"
+    )]
+    StrokeOff {
+        /// The place of its path that it goes to, from 0.
+        place: usize,
+        /// Where it is.
+        at: glam::DVec3,
+        /// How far from the surface, in model units.
+        distance: f64,
+        /// Its radius, in model units.
+        radius: f64,
+    },
     /// An image is sampled for a mesh that has no texture coordinates.
     #[error("the mesh has no texture coordinates to look an image up with; give each face corner a pair, or use a field without an image")]
     NoTextureCoordinates,

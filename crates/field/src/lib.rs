@@ -36,6 +36,7 @@
 
 mod blur;
 mod colour;
+mod comb;
 mod completion;
 mod constraints;
 mod direction;
@@ -53,6 +54,7 @@ mod transport;
 
 pub use self::noise::{Noise, NoiseKind};
 pub use colour::ColourField;
+pub use comb::{Brush, Comb, MOST_SLANT, Stroke, Tool};
 pub use completion::LEAST_PROJECTION;
 pub use constraints::Constraint;
 pub use direction::DirectionField;

@@ -168,13 +168,17 @@ pub struct PartFur {
     /// Its length, as a factor; 0 is bare.
     #[param(default = 1.0, range = 0.0..=10.0, unit = "factor", effect = "longer fur there")]
     pub length: f64,
+    /// Which of the coats in a row it has.
+    #[param(default = 0.0, range = 0.0..=255.0, unit = "places in the row", effect = "0: the first, 1: the second; between, some hair of either")]
+    pub coat: f64,
 }
 
-/// Colour and length of the fur by the parts of an animal's body (L18, L19).
+/// Colour, length and kind of the fur by the parts of an animal's body (L18, L19, L24).
 #[derive(Node)]
-#[node(category = "Fields", version = 1)]
+#[node(category = "Fields", version = 2)]
 #[output(colours: ColourField, "A colour for each vertex.")]
 #[output(lengths: ScalarField, "A factor of the length for each vertex.")]
+#[output(coats: ScalarField, "Which of the coats in a row for each vertex.")]
 pub struct PartFields {
     /// The animal.
     #[input]
@@ -188,6 +192,9 @@ pub struct PartFields {
     /// Length of all the others, as a factor.
     #[param(default = 1.0, range = 0.0..=10.0, unit = "factor", effect = "longer fur")]
     pub length: f64,
+    /// Which of the coats in a row all the others have.
+    #[param(default = 0.0, range = 0.0..=255.0, unit = "places in the row", effect = "0: the first, 1: the second; between, some hair of either")]
+    pub coat: f64,
     /// Width of the passage from part to part.
     #[param(default = 0.04, range = 0.001..=1.0, unit = "body lengths", effect = "softer borders")]
     pub softness: f64,
@@ -201,19 +208,21 @@ impl Evaluate for PartFields {
             }
         }
         let count = self.creature.mesh().positions().len();
-        let (base, long) = (linear(self.colour), self.length as f32);
-        let (mut colours, mut lengths) = (vec![base; count], vec![long; count]);
+        let (base, long, first) = (linear(self.colour), self.length as f32, self.coat as f32);
+        let (mut colours, mut lengths, mut coats) = (vec![base; count], vec![long; count], vec![first; count]);
         for fur in &self.parts {
-            let (colour, length): (Vec3, f32) = (linear(fur.colour), fur.length as f32);
+            let (colour, length, coat): (Vec3, f32, f32) = (linear(fur.colour), fur.length as f32, fur.coat as f32);
             let weights = self.creature.weights(Part::from(&fur.part), self.softness)?;
             for (vertex, weight) in weights.into_iter().enumerate().map(|(vertex, weight)| (vertex, weight as f32)) {
                 colours[vertex] += weight * (colour - base);
                 lengths[vertex] += weight * (length - long);
+                coats[vertex] += weight * (coat - first);
             }
         }
         Ok(PartFieldsOutputs {
             colours: Some(Arc::new(ColourField::new(colours.into_iter().map(|colour| colour.max(Vec3::ZERO)).collect())?)),
             lengths: Some(Arc::new(ScalarField::new(lengths.into_iter().map(|length| length.max(0.0)).collect())?)),
+            coats: Some(Arc::new(ScalarField::new(coats)?)),
         })
     }
 }

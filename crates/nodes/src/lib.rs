@@ -30,6 +30,7 @@
 #[cfg(feature = "gpu")]
 mod budget;
 mod coat;
+mod comb;
 mod creature;
 mod fields;
 mod framing;
@@ -56,7 +57,8 @@ mod turns;
 
 #[cfg(feature = "gpu")]
 pub use budget::{Budget, FrameCost, FrameLimit, Quality, TableError};
-pub use coat::{LayFur, LengthsAs};
+pub use coat::{LayFur, LengthsAs, SlantAs};
+pub use comb::{CombStroke, CombStrokes, CombTool, StrokePath};
 pub use creature::{Animal, BodyPart, CreatureNode, PartFields, PartFur};
 pub use fields::{
     BlurColours, BlurField, ColourAmount, ColourMeasure, ColourRamp, ConstantField, DirectionConstraint, DirectionFieldNode,
@@ -66,9 +68,9 @@ pub use fields::{
 pub use framing::{CameraNode, Framing};
 pub use gltf_file::GltfFile;
 pub use hair::{
-    BlockForm, CompressShells, CurlReport, FinDirection, FinImage, GrowStrands, GuideHair, GuideStrands, HairBand, HairGather, HairNoise,
-    HairOffset, HairOpacity, HairPattern, HairStyle, HairTaper, HairUndercoat, LevelsOfDetail, MixStrands, NotStraight, OneLayer,
-    OneLayerReport, SampleFin, SampleShells, ShareImages, ShellSpacing, TilePattern,
+    BlockForm, CoatsInARow, CompressShells, CurlReport, FinDirection, FinImage, GrowStrands, GuideHair, GuideStrands, HairBand, HairGather,
+    HairNoise, HairOffset, HairOpacity, HairPattern, HairStyle, HairTaper, HairUndercoat, LevelsOfDetail, MixStrands, NotStraight,
+    OneLayer, OneLayerReport, SampleFin, SampleShells, ShareImages, ShellSpacing, TilePattern,
 };
 pub use light::{EnvironmentNode, LightNode};
 pub use mesh_edits::{Join, Simplify, Subdivide, Transform};

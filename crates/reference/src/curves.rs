@@ -39,7 +39,7 @@ impl Scene<'_> {
     /// As [`Scene::new`]: hair in shell space is laid once more, as rays want it whole at the edges of faces.
     pub fn curves(&self) -> Result<Curves, ReferenceError> {
         let laid = lay(self.skin.coat, self.tile, &self.laying, Edges::Axes)?;
-        let mut order: Vec<u32> = (0..laid.origins.len() as u32).collect();
+        let mut order: Vec<u32> = (0..laid.origins.len() as u32).filter(|&number| self.is_there(&laid, number)).collect();
         let key = |number: u32| {
             let origin = &laid.origins[number as usize];
             (origin.copy, origin.strand, origin.along[0].to_bits(), number)
@@ -57,6 +57,14 @@ impl Scene<'_> {
             last = Some(number);
         }
         Ok(Curves(curves))
+    }
+}
+
+impl Scene<'_> {
+    /// Whether the middle of a segment stands, where coats become each other.
+    fn is_there(&self, laid: &Laid, number: u32) -> bool {
+        let origin = &laid.origins[number as usize];
+        self.stands(origin.strand, self.skin.mix(origin.face as usize, origin.beta_at(0.5)))
     }
 }
 

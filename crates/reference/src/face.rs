@@ -34,6 +34,7 @@ pub(crate) struct FaceMap {
     pub(crate) corners: [DVec2; 3],
     pub(crate) ends: [f64; 3],
     pub(crate) growths: [f64; 3],
+    pub(crate) mixes: [f64; 3],
     /// Twice the signed area in tiles.
     area: f64,
 }
@@ -90,7 +91,8 @@ impl Skin<'_> {
             bends: vertices.map(|v| surface.bends[v].as_dvec3() * self.length_scale),
         };
         let ends = vertices.map(|v| f64::from(surface.ends[v]));
-        Some(FaceMap { growths: vertices.map(|v| self.growth_at(v)), sheet, corners, ends, area })
+        let mixes = vertices.map(|v| f64::from(surface.mixes[v]));
+        Some(FaceMap { mixes, growths: vertices.map(|v| self.growth_at(v)), sheet, corners, ends, area })
     }
 
     /// The height of a place a little `aside` of one of a face whose height is known.
@@ -114,6 +116,11 @@ impl Skin<'_> {
     /// How much of its fur a place has: interpolated, then clamped.
     pub(crate) fn growth(&self, face: usize, beta: DVec3) -> f64 {
         DVec3::from(self.vertices(face).map(|v| self.growth_at(v))).dot(beta).clamp(0.0, 1.0)
+    }
+
+    /// Between the first coat and the last, 0 to 1: interpolated, then clamped.
+    pub(crate) fn mix(&self, face: usize, beta: DVec3) -> f64 {
+        DVec3::from(self.vertices(face).map(|v| f64::from(self.coat.surface.mixes[v]))).dot(beta).clamp(0.0, 1.0)
     }
 
     /// How much of its fur a vertex has, 1 and more for all.
@@ -231,6 +238,12 @@ impl FaceMap {
     /// Whether the face faces up in the tile.
     pub(crate) fn is_anticlockwise(&self) -> bool {
         self.area > 0.0
+    }
+
+    /// The least and the greatest mix of its corners.
+    pub(crate) fn mix_range(&self) -> (f64, f64) {
+        let [a, b, c] = self.mixes;
+        (a.min(b).min(c), a.max(b).max(c))
     }
 
     /// Whether it has any fur.

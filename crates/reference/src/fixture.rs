@@ -16,6 +16,7 @@ pub(crate) fn square(cells: u32, tiles: f32) -> Coat {
         offsets: vec![0.1 * Vec3::Z; count],
         bends: vec![Vec3::ZERO; count],
         ends: vec![1.0; count],
+        mixes: vec![0.0; count],
         directions: vec![Vec3::Z; count],
         colours: vec![Vec3::ONE; count],
     };

@@ -37,6 +37,9 @@ pub(crate) struct Hair {
     ends: Vec<u32>,
     grid: Grid,
     thickest: f64,
+    /// From where and up to where in the row of coats each strand stands, and how many coats follow the first.
+    stands: Vec<[f64; 2]>,
+    transitions: f64,
 }
 
 impl Hair {
@@ -56,7 +59,14 @@ impl Hair {
         }
         let grid = Grid::of(&pieces);
         let thickest = pieces.iter().flat_map(|piece| piece.radii).fold(0.0, f64::max);
-        Ok(Self { pieces, ends, grid, thickest })
+        let stands = tile.strands().map(|strand| strand.stands.map(f64::from)).collect();
+        Ok(Self { pieces, ends, grid, thickest, stands, transitions: f64::from(tile.coats() - 1) })
+    }
+
+    /// Whether a strand stands anywhere between two mixes, each 0 at the first coat and 1 at the last.
+    pub(crate) fn stands_between(&self, strand: u32, least: f64, most: f64) -> bool {
+        let place = |mix: f64| mix.clamp(0.0, 1.0) * self.transitions;
+        self.stands.get(strand as usize).is_none_or(|&[from, to]| from <= place(most) && place(least) < to)
     }
 
     /// The pieces of each strand, from root to tip.

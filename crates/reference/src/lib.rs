@@ -27,6 +27,7 @@
 //! - **There by chance**: hair that lets light through is met with the probability of its opacity at that place along it (stochastic transparency: E. Enderton and others
 //!   2010), and so is fur shorter than a thousandth of the diameter, which is there in part, as in the renderer. The chance is drawn anew for each ray from the eye, and once for
 //!   all of a hair: a ray that meets it twice meets it once. Opaque hair draws nothing.
+//! - **Of coats in a row** a hair is there where the surface's `mixes` say that it stands ([`StrandTile::row`](pelage_strand::StrandTile::row)): in shell space place by place, free hair by its root.
 //! - **Cut** in shell space exactly: at outlines, where the coat's `ends` are, and at the outermost shell, and rays meet the cut. Free hair is cut at its axis, with a
 //!   round end.
 //! - **Straight** segments keep within [`Laying::tolerance`] radii of the true curve, in the tile and once more on the surface.
@@ -52,6 +53,7 @@
 //!     offsets: vec![0.5 * Vec3::Z; 3],
 //!     bends: vec![Vec3::ZERO; 3],
 //!     ends: vec![1.0; 3],
+//!     mixes: vec![0.0; 3],
 //!     directions: vec![Vec3::Z; 3],
 //!     colours: vec![Vec3::ONE; 3],
 //! };

@@ -130,18 +130,22 @@ impl Picture<'_> {
         [mean.x as f32, mean.y as f32, mean.z as f32, (f64::from(met) / samples) as f32]
     }
 
-    /// What of a ray's way through a segment is met: what is in the face's part of shell space, and of hair that is there in part or lets light through, by chance all or nothing,
-    /// the same for all of a strand at one sample.
+    /// What of a ray's way through a segment is met: what is in the face's part of shell space; where coats become each other, what stands there; and of hair that is there in part or lets
+    /// light through, by chance all or nothing, the same for all of a strand at one sample.
     fn shown(&self, ray: &Ray, number: usize, span: Span, (seed, index): (u32, u32)) -> Option<Span> {
         let scene = self.scene;
         let origin = &scene.origins[number];
         let segment = &scene.tree.segments[number];
         let span = if origin.is_clipped { clip::inside(&scene.skin, ray, segment, origin, span)? } else { span };
-        if !scene.is_thin {
+        if !scene.is_thin && scene.tile.coats() == 1 {
             return Some(span);
         }
         let part = cone::part_at(ray.at(span.enter), segment.axis(), segment.radii.map(f64::from));
-        let opaque = scene.skin.growth(origin.face as usize, origin.beta_at(part)) * scene.opacity(origin.strand, origin.along_at(part));
+        let (face, beta) = (origin.face as usize, origin.beta_at(part));
+        if !scene.stands(origin.strand, scene.skin.mix(face, beta)) {
+            return None;
+        }
+        let opaque = scene.skin.growth(face, beta) * scene.opacity(origin.strand, origin.along_at(part));
         (opaque >= 1.0 || chance(seed, index, origin.copy) < opaque).then_some(span)
     }
 
@@ -189,6 +193,12 @@ impl Picture<'_> {
 }
 
 impl Scene<'_> {
+    /// Whether a strand stands where the coats are mixed so, from the first at 0 to the last at 1.
+    pub(crate) fn stands(&self, strand: u32, mix: f64) -> bool {
+        let place = mix * f64::from(self.tile.coats() - 1);
+        self.tile.strand(strand as usize).is_none_or(|strand| strand.stands_at(place))
+    }
+
     /// The hair's own colour a part of the way along its strand.
     fn hair_colour(&self, strand: u32, along: f64) -> DVec3 {
         let Some(strand) = self.tile.strand(strand as usize) else { return DVec3::ONE };

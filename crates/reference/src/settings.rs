@@ -46,7 +46,7 @@ impl SkinColours {
     /// skin; so does this, of the innermost of infinitely many layers: roots cover their cross-sections, those of different hairs independently.
     pub fn of(tile: &StrandTile, under_fur: DVec3) -> Self {
         let (mut open, mut area, mut colour) = (1.0, 0.0, DVec3::ZERO);
-        for strand in tile.strands() {
+        for strand in tile.strands().filter(|strand| strand.stands_at(0.0)) {
             let radius = f64::from(strand.radii.first().copied().unwrap_or_default());
             let root = (PI * radius * radius).clamp(0.0, 1.0) * f64::from(strand.opacity_at(0.0));
             open *= 1.0 - root;

@@ -117,7 +117,7 @@ impl Recipe {
                 }
             }
         }
-        FinTexture { tiles_across: tiles, mips: mips(vec![image], width, height) }
+        FinTexture { tiles_across: tiles, mixtures: 1, mips: mips(vec![image], width, height) }
     }
 }
 

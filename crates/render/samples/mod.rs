@@ -49,6 +49,7 @@ pub fn coat(shape: &Shape, style: Style, hair: &Hair) -> Coat {
         offsets: directions.iter().map(|&d| d * style.length).collect(),
         bends: vec![Vec3::ZERO; directions.len()],
         ends: vec![1.0; directions.len()],
+        mixes: vec![0.0; directions.len()],
         directions,
         colours: shape.positions.iter().map(|&p| colour_at(p)).collect(),
     };

@@ -69,7 +69,7 @@ impl Moment {
         let schedule = Schedule::new(&coat.textures.levels, &view.options, viewpoint, coat.length * view.options.length_scale);
         let light = LightView::new(coat, view);
         Ok(Self {
-            uniform: FrameUniform::new(view, viewpoint, &schedule, &light)?,
+            uniform: FrameUniform::new(view, viewpoint, &schedule, &light, coat.textures.mixtures)?,
             needs: Needs::new(device, view)?,
             shown: Shown::new(coat, view, &schedule),
             schedule,
@@ -175,6 +175,12 @@ fn variant(coat: &GpuCoat, view: &View, schedule: &Schedule, crowd: bool) -> Var
 }
 
 fn casters(device: &Device, shared: &Shared, coat: &GpuCoat, view: &View, schedule: &Schedule) -> Option<Casters> {
-    let traits = Casting { bent: coat.traits.bent, cut: coat.traits.cut, thickened: schedule.is_thickened(), levels: schedule.blend > 0.0 };
+    let traits = Casting {
+        bent: coat.traits.bent,
+        cut: coat.traits.cut,
+        mixed: coat.traits.mixed,
+        thickened: schedule.is_thickened(),
+        levels: schedule.blend > 0.0,
+    };
     view.options.shadows.map(|_| shared.casters.get(device, &shared.pipelines, traits))
 }

@@ -67,6 +67,7 @@ impl GpuCoat {
                 bent: coat.surface.bends.iter().any(|&bend| bend != Vec3::ZERO),
                 cut: coat.surface.ends.iter().any(|&end| end < 1.0),
                 direction_map: textures.has_directions,
+                mixed: textures.mixtures.count > 1,
             },
             length: coat.surface.offsets.iter().map(|offset| offset.length()).fold(0.0, f32::max),
             shortest: coat.surface.offsets.iter().map(|offset| offset.length()).fold(f32::INFINITY, f32::min),

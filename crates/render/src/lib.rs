@@ -39,6 +39,7 @@
 //!         offsets: vec![Vec3::ZERO; 3],
 //!         bends: vec![Vec3::ZERO; 3],
 //!         ends: vec![1.0; 3],
+//!         mixes: vec![0.0; 3],
 //!         directions: vec![Vec3::Z; 3],
 //!         colours: vec![Vec3::ONE; 3],
 //!     },

@@ -1,7 +1,7 @@
 //! Vertex arrays as the shaders read them; mirrors common.wgsl.
 //!
 //! Per surface vertex 48 bytes, shared by surface, shells and fins: what never moves (position, normal), what combing and motion rewrite
-//! (offset, hair direction) and how it looks (colour, end, bend), each an array of its own. Per patch vertex 24: which surface vertex, where on the
+//! (offset, hair direction) and how it looks (colour, end, bend, mix), each an array of its own. Per patch vertex 24: which surface vertex, where on the
 //! tile, how the tile lies, and the middle of its patch.
 
 use glam::{Vec2, Vec3};
@@ -35,15 +35,15 @@ pub(crate) fn fur(surface: &Surface) -> Vec<[u32; 4]> {
     surface.offsets.iter().zip(&surface.directions).map(|(&offset, &direction)| with_bits(offset, mean_direction(direction))).collect()
 }
 
-/// Colours, ends and bends as half floats, which keep the darks and take colours above 1.
+/// Colours, ends, bends and mixes as half floats, which keep the darks and take colours above 1.
 pub(crate) fn looks(surface: &Surface) -> Vec<[u32; 4]> {
     let pair = |a: f32, b: f32| u32::from(half(a)) | u32::from(half(b)) << 16;
-    let bends_and_ends = surface.bends.iter().zip(&surface.ends);
+    let shapes = surface.bends.iter().zip(surface.ends.iter().zip(&surface.mixes));
     surface
         .colours
         .iter()
-        .zip(bends_and_ends)
-        .map(|(c, (b, &end))| [pair(c.x, c.y), pair(c.z, end), pair(b.x, b.y), pair(b.z, 0.0)])
+        .zip(shapes)
+        .map(|(c, (b, (&end, &mix)))| [pair(c.x, c.y), pair(c.z, end), pair(b.x, b.y), pair(b.z, mix)])
         .collect()
 }
 

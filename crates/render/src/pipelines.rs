@@ -54,6 +54,8 @@ pub(crate) struct Variant {
     bent: bool,
     /// Hair is cut off somewhere.
     cut: bool,
+    /// One coat becomes another.
+    mixed: bool,
     /// Two levels of detail are blended.
     levels: bool,
     /// Shells are more or less than their image.
@@ -97,6 +99,8 @@ pub(crate) struct CoatTraits {
     pub(crate) bent: bool,
     pub(crate) cut: bool,
     pub(crate) direction_map: bool,
+    /// Several mixtures of hair, one coat becoming another.
+    pub(crate) mixed: bool,
 }
 
 impl Variant {
@@ -121,6 +125,7 @@ impl Variant {
             map: per_pixel && options.direction_map && coat.direction_map,
             bent: coat.bent,
             cut: coat.cut,
+            mixed: coat.mixed,
             levels,
             thickened,
             hair_shadow: options.hair_shadow > 0.0,
@@ -148,6 +153,7 @@ impl Variant {
             ("MAP", self.map),
             ("BENT", self.bent),
             ("CUT", self.cut),
+            ("MIXED", self.mixed),
             ("LEVELS", self.levels),
             ("THICKENED", self.thickened),
             ("HAIR_SHADOW", self.hair_shadow),
@@ -358,7 +364,7 @@ fn coat_entries() -> [BindGroupLayoutEntry; 5] {
         entry(1, vertex, storage(true)),
         entry(2, vertex, storage(true)),
         entry(3, vertex, storage(true)),
-        entry(4, ShaderStages::FRAGMENT, texture(TextureViewDimension::D2)),
+        entry(4, ShaderStages::FRAGMENT, texture(TextureViewDimension::D2Array)),
     ]
 }
 
@@ -376,12 +382,12 @@ mod tests {
         assert_eq!(Variant::new(&view, CoatTraits::default(), [false, false, true]).flags(), ["GROWN", "SKY"]);
         view.options.lighting = LightingMode::Formula;
         view.lights.ambient.0[4] = Vec3::X;
-        let all = CoatTraits { bent: true, cut: true, direction_map: true };
+        let all = CoatTraits { bent: true, cut: true, direction_map: true, mixed: true };
         assert_eq!(
             Variant::new(&view, all, [true, true, false]).flags(),
-            ["PIXEL", "MAP", "BENT", "CUT", "LEVELS", "THICKENED", "KEPT", "SPLIT", "AXES"]
+            ["PIXEL", "MAP", "BENT", "CUT", "MIXED", "LEVELS", "THICKENED", "KEPT", "SPLIT", "AXES"]
         );
         view.options.direction_map = false;
-        assert_eq!(Variant::new(&view, all, [false, false, true]).flags(), ["PIXEL", "BENT", "CUT", "GROWN", "KEPT", "SPLIT"]);
+        assert_eq!(Variant::new(&view, all, [false, false, true]).flags(), ["PIXEL", "BENT", "CUT", "MIXED", "GROWN", "KEPT", "SPLIT"]);
     }
 }

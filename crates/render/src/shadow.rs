@@ -220,6 +220,8 @@ pub(crate) struct Casting {
     pub(crate) bent: bool,
     /// Hair is cut off somewhere.
     pub(crate) cut: bool,
+    /// There are several mixtures of hair.
+    pub(crate) mixed: bool,
     /// Shells are more or less than their image.
     pub(crate) thickened: bool,
     /// Two levels of detail are blended.
@@ -240,8 +242,8 @@ impl CasterCache {
 
 impl Casters {
     fn new(device: &Device, pipelines: &Pipelines, casting: Casting) -> Self {
-        let Casting { bent, cut, thickened, levels } = casting;
-        let flags = [("BENT", bent), ("CUT", cut), ("THICKENED", thickened), ("LEVELS", levels)];
+        let Casting { bent, cut, mixed, thickened, levels } = casting;
+        let flags = [("BENT", bent), ("CUT", cut), ("MIXED", mixed), ("THICKENED", thickened), ("LEVELS", levels)];
         let flags: Vec<&str> = flags.iter().filter_map(|&(name, on)| on.then_some(name)).collect();
         let files =
             [PRELUDE[0], PRELUDE[1], PRELUDE[2], PRELUDE[3], include_str!("shaders/shadow.wgsl"), include_str!("shaders/shadow_cast.wgsl")];

@@ -22,6 +22,15 @@ pub struct GpuTextures {
     pub(crate) levels: Arc<[Vec<ShellLayer>]>,
     pub(crate) has_fin: bool,
     pub(crate) has_directions: bool,
+    pub(crate) mixtures: Mixtures,
+}
+
+/// The mixtures of hair that there are where coats become each other.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) struct Mixtures {
+    pub(crate) count: u32,
+    /// Images of shells that each has.
+    pub(crate) images: u32,
 }
 
 impl GpuTextures {
@@ -37,7 +46,8 @@ impl GpuTextures {
         let texture = stack("shells", format, shells.images, &shells.mips);
         let (count, map) = shells.directions.as_ref().map_or((1, &none[..]), |map| (shells.images, map));
         let directions = stack("directions", TextureFormat::Rgba8Unorm, count, map);
-        let fin_texture = stack("fin", TextureFormat::Rgba8UnormSrgb, 1, fin.map_or(&none[..], |fin| &fin.mips));
+        let fin_texture =
+            stack("fin", TextureFormat::Rgba8UnormSrgb, fin.map_or(1, |fin| fin.mixtures), fin.map_or(&none[..], |fin| &fin.mips));
         Self {
             skin: texture.create_view(&TextureViewDescriptor {
                 dimension: Some(TextureViewDimension::D2),
@@ -47,10 +57,14 @@ impl GpuTextures {
             }),
             shell_view: view(&texture, TextureViewDimension::D2Array),
             directions: view(&directions, TextureViewDimension::D2Array),
-            fin: view(&fin_texture, TextureViewDimension::D2),
+            fin: view(&fin_texture, TextureViewDimension::D2Array),
             levels: shells.levels.clone().into(),
             has_fin: fin.is_some(),
             has_directions: shells.directions.is_some(),
+            mixtures: Mixtures {
+                count: shells.mixtures.max(fin.map_or(1, |fin| fin.mixtures)),
+                images: shells.images / shells.mixtures.max(1),
+            },
         }
     }
 }

@@ -7,6 +7,7 @@ use pelage_lighting::{Axis, DIFFUSIVITY};
 
 use crate::schedule::Schedule;
 use crate::shadow::{LightView, shells_each};
+use crate::textures::Mixtures;
 use crate::{FinRule, LightingMode, RenderError, ShellDepth, View, Viewpoint};
 
 /// Fur comes in over this length, in diameters: one spacing of the paper's layers. Below it, opacity and shadow fade, so that bare skin and fur
@@ -32,12 +33,19 @@ pub(crate) struct FrameUniform {
     table: [f32; 4],
     fins: [f32; 4],
     light_from_coat: [[f32; 4]; 4],
+    mixes: [f32; 4],
     casting: [f32; 4],
 }
 
 impl FrameUniform {
     /// Packs a view; the schedule says which shells there are.
-    pub(crate) fn new(view: &View, viewpoint: &Viewpoint, schedule: &Schedule, light: &LightView) -> Result<Self, RenderError> {
+    pub(crate) fn new(
+        view: &View,
+        viewpoint: &Viewpoint,
+        schedule: &Schedule,
+        light: &LightView,
+        mixtures: Mixtures,
+    ) -> Result<Self, RenderError> {
         let (hair, shadow, facing) = (&view.shading.hair, &view.shading.self_shadow, &view.shading.facing);
         let (options, lights) = (&view.options, &view.lights.directional);
         if lights.len() > Lights::MOST {
@@ -70,6 +78,7 @@ impl FrameUniform {
             table: table(options.lighting),
             fins: fins(view, schedule.fins),
             light_from_coat: light.light_from_coat.to_cols_array_2d(),
+            mixes: [mixtures.images as f32, mixtures.count.saturating_sub(1) as f32, 0.0, 0.0],
             casting: [light.length, shells_each(schedule), light.bias, schedule.marched as f32],
         };
         uniform.check()?;

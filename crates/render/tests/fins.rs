@@ -45,6 +45,7 @@ fn random_edges(count: u32) -> Coat {
     }
     surface.bends = vec![Vec3::ZERO; vertices];
     surface.ends = vec![1.0; vertices];
+    surface.mixes = vec![0.0; vertices];
     surface.colours = vec![Vec3::ONE; vertices];
     let mut edges = FinEdges::default();
     for i in 0..count {
@@ -224,6 +225,7 @@ fn standing(fins: &[(Vec3, Vec3)]) -> Coat {
     surface.directions = vec![Vec3::Y; count];
     surface.bends = vec![Vec3::ZERO; count];
     surface.ends = vec![1.0; count];
+    surface.mixes = vec![0.0; count];
     surface.colours = vec![Vec3::ONE; count];
     let patches = PatchMesh { vertices: vec![0, 1, 1], coordinates: vec![Vec2::ZERO; 3], faces: vec![[0, 1, 2]], patch_ends: vec![1] };
     Coat { surface, patches, edges, ..coat(&shapes::square(1, 1.0), Style::default(), &flat_hair(9, Vec3::ONE)) }
@@ -318,7 +320,7 @@ fn fins_take_the_colour_of_the_skin_they_stand_on() {
 /// Stripes of two brightnesses across.
 fn stripes() -> Arc<FinTexture> {
     let texels = (0..64).flat_map(|i| encode([1.0, 1.0, 1.0, 1.0].map(|c| if i * 7 % 11 < 5 { c } else { 0.2 * c }))).collect();
-    Arc::new(FinTexture { tiles_across: 1.0, mips: vec![MipImage { width: 64, height: 1, texels }] })
+    Arc::new(FinTexture { tiles_across: 1.0, mixtures: 1, mips: vec![MipImage { width: 64, height: 1, texels }] })
 }
 
 #[test]

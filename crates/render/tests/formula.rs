@@ -288,6 +288,7 @@ fn fins_are_lit_as_the_formula_says() {
         offsets: vec![0.6 * Vec3::Y; 2],
         bends: vec![Vec3::ZERO; 2],
         ends: vec![1.0; 2],
+        mixes: vec![0.0; 2],
         directions: vec![direction; 2],
         colours: vec![ALBEDO; 2],
     };
@@ -339,6 +340,7 @@ fn fins_are_faded_and_left_out_as_the_processor_says() {
             coat.surface.offsets.push(offset);
             coat.surface.bends.push(Vec3::ZERO);
             coat.surface.ends.push(1.0);
+            coat.surface.mixes.push(0.0);
             coat.surface.directions.push(Vec3::Z);
             coat.surface.colours.push(Vec3::ONE);
         }

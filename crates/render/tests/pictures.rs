@@ -215,6 +215,7 @@ fn written_depth_hides_fur_behind_fur() {
         array.extend_from_within(..);
     }
     pair.surface.ends.extend_from_within(..);
+    pair.surface.mixes.extend_from_within(..);
     pair.surface.colours = [Vec3::Y, Vec3::X].iter().flat_map(|&c| vec![c; count]).collect();
     let (vertices, corners) = (pair.patches.vertices.clone(), pair.patches.vertices.len() as u32);
     pair.patches.vertices.extend(vertices.iter().map(|v| v + count as u32));

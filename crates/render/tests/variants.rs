@@ -17,6 +17,7 @@ fn with_a_bare_vertex(mut coat: Coat) -> Coat {
     surface.offsets.push(Vec3::ZERO);
     surface.bends.push(Vec3::ZERO);
     surface.ends.push(1.0);
+    surface.mixes.push(0.0);
     surface.directions.push(Vec3::Y);
     surface.colours.push(Vec3::ONE);
     coat

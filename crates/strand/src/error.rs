@@ -68,6 +68,9 @@ pub enum StrandError {
         /// The bound, [`crate::MAX_POINTS`].
         limit: u64,
     },
+    /// A row of coats without a coat.
+    #[error("a row of coats needs at least one tile of hair: give one")]
+    NoTiles,
     /// A hand-made strand has too few points to be a curve.
     #[error("strand {strand} has {points} point(s), but a strand needs at least 2: add its tip or leave the strand out")]
     TooShort {

@@ -21,12 +21,15 @@ use crate::tile::StrandTile;
 /// ```
 ///
 /// # Errors
-/// A share out of range, or more strands or points than a tile holds.
+/// A share out of range, coats in a row (mix the hair of each first), or more strands or points than a tile holds.
 pub fn mix(tiles: [&StrandTile; 2], shares: [f64; 2]) -> Result<StrandTile, StrandError> {
     for (name, share) in ["first share", "second share"].into_iter().zip(shares) {
         if !(0.0..=1.0).contains(&share) {
             return Err(StrandError::OutOfRange { name, value: share, low: 0.0, high: 1.0, unit: "of its hairs" });
         }
+    }
+    if let Some(row) = tiles.into_iter().find(|tile| tile.coats() > 1) {
+        return Err(StrandError::OutOfRange { name: "coats", value: f64::from(row.coats()), low: 1.0, high: 1.0, unit: "in a row" });
     }
     let kept: Vec<(&StrandTile, std::ops::Range<usize>)> = tiles
         .into_iter()

@@ -1,5 +1,6 @@
 //! The grown hair: strands in structure-of-arrays.
 
+use crate::blend::EVERYWHERE;
 use crate::colour::{Bands, Opacity, Tint, shaded};
 use crate::error::StrandError;
 
@@ -72,6 +73,10 @@ pub struct StrandTile {
     bands: Vec<Bands>,
     /// One a strand; empty where all are of two colours and opaque.
     tints: Vec<Tint>,
+    /// From where and up to where in the row of coats each stands.
+    pub(crate) stands: Vec<[f32; 2]>,
+    /// How many coats follow the first.
+    pub(crate) transitions: u32,
 }
 
 /// One strand of a tile, borrowed.
@@ -93,6 +98,8 @@ pub struct Strand<'a> {
     pub bands: Option<&'a Bands>,
     /// What those are multiplied by.
     pub shade: f32,
+    /// From where (included) up to where (not) in the row of coats it stands: [−∞, ∞] for hair of one coat. See [`StrandTile::row`].
+    pub stands: [f32; 2],
 }
 
 impl StrandTile {
@@ -211,6 +218,17 @@ impl StrandTile {
         self.root_colours.push(root_colour);
         self.tip_colours.push(tip_colour);
         self.cells.push(cell);
+        self.stands.push(EVERYWHERE);
+    }
+
+    /// Appends a strand of another tile, its height times `stretch`, standing where `stands` says.
+    pub(crate) fn copy(&mut self, other: &Self, index: usize, stretch: f64, stands: [f32; 2]) {
+        let Some(strand) = other.strand(index) else { return };
+        let points: Vec<[f32; 3]> = strand.points.iter().map(|p| [p[0], p[1], (f64::from(p[2]) * stretch) as f32]).collect();
+        self.push_strand(&Strand { points: &points, ..strand });
+        if let Some(last) = self.stands.last_mut() {
+            *last = stands;
+        }
     }
 
     /// How high the box is, in tile sides: no grown point is higher.
@@ -241,6 +259,7 @@ impl StrandTile {
             opacity: tint.opacity,
             bands: self.bands.get(tint.bands as usize),
             shade: tint.shade,
+            stands: *self.stands.get(index)?,
         })
     }
 
@@ -274,10 +293,17 @@ impl StrandTile {
             + size_of_val(&self.populations[..])
             + size_of_val(&self.bands[..])
             + size_of_val(&self.tints[..])
+            + size_of_val(&self.stands[..])
     }
 }
 
 impl Strand<'_> {
+    /// Whether it stands at a place in the row of coats.
+    pub fn stands_at(&self, place: f64) -> bool {
+        let [from, to] = self.stands.map(f64::from);
+        from <= place && place < to
+    }
+
     /// Point number `index` on the endless plane of tiles, in tile sides; `None` beyond the tip.
     pub fn plane_point(&self, index: usize) -> Option<[f64; 3]> {
         let p = self.points.get(index)?.map(f64::from);

@@ -347,7 +347,7 @@ fn hand_made_strands_are_brought_home_or_refused() {
 #[test]
 fn byte_size_counts_every_array() {
     let tile = grow(&GrowSettings { count: 10, steps: 4, undercoat: bare(), ..GrowSettings::default() }).unwrap();
-    let plain = 11 * 4 + 50 * (12 + 4) + 10 * (12 + 12 + 8) + 2 * 4;
+    let plain = 11 * 4 + 50 * (12 + 4) + 10 * (12 + 12 + 8 + 8) + 2 * 4;
     assert_eq!(tile.byte_size(), plain);
     // Hair of more than two colours, or that lets light through, says so for each strand, and its bands once.
     let faint = tile.tinted(Bands::default(), &Opacity { root: 0.5, ..Opacity::default() }).unwrap();

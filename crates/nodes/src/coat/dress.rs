@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use glam::{DVec3, Vec3};
 use pelage_coat::{Coat, FinEdges, FinTexture, Frame, PatchMesh, ShellTexture, Surface};
-use pelage_field::{ColourField, DirectionField, ScalarField};
+use pelage_field::{ColourField, DirectionField, MOST_SLANT, ScalarField};
 use pelage_mesh::{Mesh, VertexId};
 use pelage_patch::PatchTiling;
 use pelage_strand::StrandTile;
@@ -20,13 +20,20 @@ pub(crate) struct Dressing<'a> {
     pub(crate) directions: Option<&'a DirectionField>,
     pub(crate) lengths: Option<&'a ScalarField>,
     pub(crate) colours: Option<&'a ColourField>,
+    /// Which of the coats in a row stands where.
+    pub(crate) coats: Option<&'a ScalarField>,
     pub(crate) shells: Arc<ShellTexture>,
     pub(crate) fin: Option<Arc<FinTexture>>,
     pub(crate) strands: &'a StrandTile,
     /// In model diameters.
     pub(crate) length: f64,
-    /// How the hair stands.
-    pub(crate) curve: Curve,
+    /// How far it is combed down, in radians; where `slants` are not, which are in degrees.
+    pub(crate) slant: f64,
+    pub(crate) slants: Option<&'a ScalarField>,
+    /// How much of that comes from bending.
+    pub(crate) bend: f64,
+    /// Whether combing shears it instead.
+    pub(crate) sheared: bool,
     /// Whether `lengths` say where the hair is cut off, and not how long it is.
     pub(crate) cut: bool,
     /// Multiplies every colour; linear.
@@ -52,27 +59,72 @@ fn surface(dressing: &Dressing, frame: &Frame) -> Surface {
     let mesh = dressing.mesh;
     let normals = mesh.vertex_normals();
     let tile_side = dressing.tiling.tile_side() / frame.diameter;
-    let lean = |curve: &Curve| Lean::of(dressing.strands, tile_side, dressing.length, curve);
-    // Where there is no way to lie the hair is straight, however it bends elsewhere.
-    let leans = dressing.looks.then(|| (lean(&dressing.curve), lean(&Curve::new(0.0, 0.0))));
+    let leans = dressing.looks.then(|| Leans::of(dressing, tile_side));
+    let last_coat = f64::from(dressing.strands.coats() - 1);
     let mut surface = Surface::default();
     for vertex in mesh.vertices() {
         let normal = normals[vertex.index()];
         let along = dressing.directions.map_or(DVec3::ZERO, |field| field.at_vertex(vertex.id()));
         let local = dressing.lengths.map_or(1.0, |field| f64::from(field.values()[vertex.index()]).max(0.0));
         let (scale, end) = if dressing.cut { cut(local) } else { (local, 1.0) };
-        let (length, hair) = (dressing.length * scale, dressing.curve.lay(normal, along));
+        let curve = dressing.curve(vertex.index());
+        let (length, hair) = (dressing.length * scale * dressing.stretch(vertex.index(), along), curve.lay(normal, along));
         surface.positions.push(frame.place(vertex.position()));
         surface.normals.push(normal.as_vec3());
         surface.offsets.push((length * hair.0).as_vec3());
         surface.bends.push((length * hair.1).as_vec3());
         surface.ends.push(end as f32);
-        let lean = leans.as_ref().map(|(bent, straight)| if along == DVec3::ZERO { straight } else { bent });
-        surface.directions.push(lean.map_or(Vec3::ZERO, |lean| lean.direction(end, normal, along, hair).as_vec3()));
+        let coat = dressing.coats.map_or(0.0, |field| f64::from(field.values()[vertex.index()])).clamp(0.0, last_coat);
+        surface.mixes.push(if last_coat > 0.0 { (coat / last_coat) as f32 } else { 0.0 });
+        let lean = leans.as_ref().map(|leans| leans.at(if along == DVec3::ZERO { 0.0 } else { dressing.slant_at(vertex.index()) }));
+        surface.directions.push(lean.map_or(Vec3::ZERO, |lean| lean.direction((coat, end), (normal, along), hair).as_vec3()));
         let colour = dressing.colours.map_or(Vec3::ONE, |field| field.values()[vertex.index()]);
         surface.colours.push(colour * dressing.tint);
     }
     surface
+}
+
+impl Dressing<'_> {
+    /// How far the fur of a vertex is combed down, in radians.
+    fn slant_at(&self, vertex: usize) -> f64 {
+        self.slants.map_or(self.slant, |field| f64::from(field.values()[vertex]).to_radians()).clamp(-MOST_SLANT, MOST_SLANT)
+    }
+
+    /// How the hair of a vertex stands.
+    fn curve(&self, vertex: usize) -> Curve {
+        Curve::new(self.slant_at(vertex), if self.sheared { 0.0 } else { self.bend })
+    }
+
+    /// How much longer it becomes where combing shears it.
+    fn stretch(&self, vertex: usize, along: DVec3) -> f64 {
+        if self.sheared && along != DVec3::ZERO { 1.0 / self.slant_at(vertex).cos() } else { 1.0 }
+    }
+}
+
+/// The mean direction of the hair by how far it is combed down: where hair bends, of slants a few degrees apart.
+struct Leans(Vec<Lean>);
+
+/// Slants that are told apart.
+const SLANTS: usize = 9;
+
+impl Leans {
+    fn of(dressing: &Dressing, tile_side: f64) -> Self {
+        let lean = |slant: f64| Lean::of(dressing.strands, tile_side, dressing.length, &Curve::new(slant, dressing.bend));
+        let bends = dressing.bend > 0.0 && !dressing.sheared;
+        Self(match (bends, dressing.slants) {
+            // However far straight hair is turned, it lies in its own frame as it did.
+            (false, _) => vec![Lean::of(dressing.strands, tile_side, dressing.length, &Curve::new(0.0, 0.0))],
+            // Where there is no way to lie the hair is straight, however it bends elsewhere.
+            (true, None) => vec![lean(0.0), lean(dressing.slant)],
+            (true, Some(_)) => (0..SLANTS).map(|k| lean(k as f64 / (SLANTS - 1) as f64 * MOST_SLANT)).collect(),
+        })
+    }
+
+    fn at(&self, slant: f64) -> &Lean {
+        let last = self.0.len() - 1;
+        let place = if last == 1 { f64::from(u8::from(slant != 0.0)) } else { slant.abs() / MOST_SLANT * last as f64 };
+        &self.0[(place.round() as usize).min(last)]
+    }
 }
 
 /// Length and end of hair cut off at a part of its length; where nothing is left the skin is bare.

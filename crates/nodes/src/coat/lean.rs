@@ -11,6 +11,13 @@ const LAYERS: usize = 64;
 /// The hair's directions up to any height, in the frame of *s*, *t* and the hair's own way up.
 #[derive(Clone, Debug)]
 pub(crate) struct Lean {
+    /// Of each coat of a row.
+    coats: Vec<CoatLean>,
+}
+
+/// Those of one coat.
+#[derive(Clone, Debug)]
+struct CoatLean {
     whole: Sum,
     /// Of all hair under each layer, the last of all.
     under: Vec<Sum>,
@@ -29,11 +36,18 @@ struct Sum {
 impl Lean {
     /// Of a tile laid with a side of `tile_side` and its height stretched to `length` along `curve`, both in diameters.
     pub(crate) fn of(strands: &StrandTile, tile_side: f64, length: f64, curve: &Curve) -> Self {
+        let laid = |coat: u32| CoatLean::of(strands, coat, (tile_side, length), curve);
+        Self { coats: (0..strands.coats()).map(laid).collect() }
+    }
+}
+
+impl CoatLean {
+    fn of(strands: &StrandTile, coat: u32, (tile_side, length): (f64, f64), curve: &Curve) -> Self {
         let tile_height = strands.height().max(f64::MIN_POSITIVE);
         let stretch = DVec3::new(tile_side, tile_side, length / tile_height);
         let mut whole = Sum::default();
         let mut layers = vec![Sum::default(); LAYERS];
-        for strand in strands.strands() {
+        for strand in strands.strands().filter(|strand| strand.stands_at(f64::from(coat))) {
             for step in strand.points.windows(2) {
                 let [from, to] = [step[0], step[1]].map(Vec3::from);
                 let height = (0.5 * f64::from(from.z + to.z) / tile_height).clamp(0.0, 1.0);
@@ -51,24 +65,35 @@ impl Lean {
         Self { whole, under }
     }
 
+    fn up_to(&self, end: f64) -> Sum {
+        if end >= 1.0 {
+            return self.whole;
+        }
+        let place = end * LAYERS as f64;
+        let layer = (place as usize).min(LAYERS - 1);
+        self.under[layer].lerp(&self.under[layer + 1], place - layer as f64)
+    }
+}
+
+impl Lean {
     /// *T* of hair cut off at height `end`, 1 for whole hair: its mean direction, carried to the surface by the tile's axes: *s* and *t* in the tangent plane,
     /// height along the hair, whose derivative `curve` gives as *c* and *b* (L14).
     ///
     /// The mean of directions that differ is shorter than 1, and is kept so: lit by it, hair that stands every which way has no dark spot where it would
     /// point at the light if it all stood one way. Without a field the tile lies in another direction on each patch, and only the height counts.
-    pub(crate) fn direction(&self, end: f64, normal: DVec3, along: DVec3, (c, b): (DVec3, DVec3)) -> DVec3 {
-        let mean = self.up_to(end);
+    ///
+    /// `coat` is the place in the row of coats: between two, hair of either counts by its share, as so much of it stands.
+    pub(crate) fn direction(&self, (coat, end): (f64, f64), (normal, along): (DVec3, DVec3), (c, b): (DVec3, DVec3)) -> DVec3 {
+        let mean = self.between(coat, end).mean();
         let across = along.cross(normal);
         across * mean.direction.x + along * mean.direction.y + c * mean.direction.z + b * mean.bending
     }
 
-    fn up_to(&self, end: f64) -> Sum {
-        if end >= 1.0 {
-            return self.whole.mean();
-        }
-        let place = end * LAYERS as f64;
-        let layer = (place as usize).min(LAYERS - 1);
-        self.under[layer].lerp(&self.under[layer + 1], place - layer as f64).mean()
+    fn between(&self, coat: f64, end: f64) -> Sum {
+        let last = self.coats.len() - 1;
+        let before = (coat.max(0.0) as usize).min(last);
+        let sum = self.coats[before].up_to(end);
+        if before == last { sum } else { sum.lerp(&self.coats[before + 1].up_to(end), coat - before as f64) }
     }
 }
 

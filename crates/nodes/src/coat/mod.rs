@@ -16,7 +16,6 @@ use pelage_strand::StrandTile;
 
 use crate::parts::{DIRECTIONS, FINS, LAYERS, LEVELS, LOOKS, SKIN};
 use crate::shading::linear;
-use curve::Curve;
 use dress::{Dressing, dress};
 
 /// What the numbers of a length field do to the hair.
@@ -28,9 +27,18 @@ pub enum LengthsAs {
     Cut,
 }
 
+/// How hair that is combed down lies.
+#[derive(Clone, Debug, PartialEq, Param)]
+pub enum SlantAs {
+    /// Turned down, and bent as `bend` says: as long as it was.
+    Turned,
+    /// Sheared along the surface, as Lengyel et al. 2001 do it (L20): straight, its tips as high as before, and longer by one over the cosine.
+    Sheared,
+}
+
 /// Lays the hair tile on a tiled surface: how long the fur is, how it stands, what colour it has.
 #[derive(Node)]
-#[node(category = "Coat", version = 1)]
+#[node(category = "Coat", version = 2)]
 #[output(fur: Coat, "The coat, ready to draw.", parts = [SKIN, LAYERS, LEVELS, DIRECTIONS, FINS, LOOKS])]
 pub struct LayFur {
     /// The surface.
@@ -54,18 +62,27 @@ pub struct LayFur {
     /// For each vertex how much of the length there is; 0 is bare (L19, N5).
     #[input]
     pub lengths: Option<Arc<ScalarField>>,
+    /// For each vertex how far the fur is combed down along the directions, in degrees from upright up to 80: in place of `slant`.
+    #[input]
+    pub slants: Option<Arc<ScalarField>>,
     /// Colours that multiply the hair's own (L18).
     #[input]
     pub colours: Option<Arc<ColourField>>,
+    /// Of hair that is coats in a row, which stands where: 0 is the first, 1 the second, and between them some of either (L24, K12). Without it the first stands everywhere.
+    #[input]
+    pub coats: Option<Arc<ScalarField>>,
     /// Length of the fur, from the skin to the outermost shell.
     #[param(default = 0.016, range = 0.0..=10.0, unit = "model diameters", effect = "longer: more fragments, and gaps between too few layers")]
     pub length: f64,
-    /// How far the fur is combed down along the directions; its length is kept.
+    /// How far the fur is combed down along the directions.
     #[param(default = 0.0, range = -80.0..=80.0, unit = "degrees", effect = "past 45 layers no longer hide each other's gaps")]
     pub slant: f64,
     /// How much of the slant comes from bending: the tips lean by the slant, the roots by what is left of it. The length along the hair is kept.
     #[param(default = 0.0, range = 0.0..=1.0, unit = "fraction of the slant", effect = "0: straight; 1: hair leaves the skin upright; none on cost")]
     pub bend: f64,
+    /// What combing does to the hair.
+    #[param(default = SlantAs::Turned)]
+    pub slant_as: SlantAs,
     /// What the lengths do: stretch the hair, or cut it.
     #[param(default = LengthsAs::Scale)]
     pub lengths_as: LengthsAs,
@@ -96,11 +113,15 @@ impl Evaluate for LayFur {
             directions: self.directions.as_deref(),
             lengths: self.lengths.as_deref(),
             colours: self.colours.as_deref(),
+            coats: self.coats.as_deref(),
             shells: self.shells.clone().unwrap_or_else(|| Arc::new(ShellTexture::bare())),
             fin: self.fin.clone(),
             strands: &self.strands,
             length: self.length,
-            curve: Curve::new(self.slant.to_radians(), self.bend),
+            slant: self.slant.to_radians(),
+            slants: self.slants.as_deref(),
+            bend: self.bend,
+            sheared: self.slant_as == SlantAs::Sheared,
             cut: self.lengths_as == LengthsAs::Cut,
             tint: linear(self.tint),
             looks: cx.wants_part("fur", LOOKS),
@@ -140,7 +161,9 @@ impl LayFur {
         let vertices = topology.vertex_count();
         let fields = [
             ("the direction field", self.directions.as_ref().map(|f| f.vectors().len())),
+            ("the field of slants", self.slants.as_ref().map(|f| f.values().len())),
             ("the length field", self.lengths.as_ref().map(|f| f.values().len())),
+            ("the field of coats", self.coats.as_ref().map(|f| f.values().len())),
             ("the colour field", self.colours.as_ref().map(|f| f.values().len())),
         ];
         for (what, found) in fields {

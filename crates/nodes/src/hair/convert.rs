@@ -8,6 +8,7 @@ pub(super) fn shell_texture(stack: ShellStack) -> ShellTexture {
     ShellTexture {
         encoding: Encoding::Rgba8,
         images: stack.images(),
+        mixtures: 1,
         mips: stack.mips.into_iter().map(mip).collect(),
         levels: layers(&stack.levels),
         directions: stack.directions.map(|map| map.into_iter().map(mip).collect()),
@@ -19,6 +20,7 @@ pub(super) fn compressed_texture(stack: CompressedStack) -> ShellTexture {
     ShellTexture {
         encoding: Encoding::Bc3,
         images: stack.mips.first().map_or(0, |mip| mip.layers),
+        mixtures: 1,
         mips: stack.mips.into_iter().map(block_mip).collect(),
         levels: layers(&stack.levels),
         directions: stack.directions.map(|map| map.into_iter().map(mip).collect()),
@@ -26,10 +28,10 @@ pub(super) fn compressed_texture(stack: CompressedStack) -> ShellTexture {
 }
 
 pub(super) fn fin_texture(fin: pelage_volume::FinTexture) -> FinTexture {
-    FinTexture { tiles_across: fin.tiles_across as f32, mips: fin.mips.into_iter().map(mip).collect() }
+    FinTexture { tiles_across: fin.tiles_across as f32, mixtures: 1, mips: fin.mips.into_iter().map(mip).collect() }
 }
 
-/// The way back; blocks are decoded. What a coat does not keep is as if the stack were one tile side high and had cost nothing.
+/// The way back, of one mixture; blocks are decoded. What a coat does not keep is as if the stack were one tile side high and had cost nothing.
 pub(super) fn shell_stack(texture: &ShellTexture) -> Result<ShellStack, NodeError> {
     texture.check()?;
     let levels = texture.levels.iter().map(|shells| shells.iter().map(shell).collect()).collect();

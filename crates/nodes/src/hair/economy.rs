@@ -7,6 +7,7 @@ use pelage_graph::{Context, Evaluate, Needs, Node, NodeError, Param, Params, Par
 use pelage_volume::{OneLayerFit, Spacing};
 
 use super::convert::{compressed_texture, shell_stack, shell_texture};
+use super::row::each_mixture;
 use super::sample::ShellSpacing;
 use crate::parts::{DIRECTIONS, LAYERS, LEVELS};
 
@@ -28,9 +29,9 @@ pub struct LevelsOfDetail {
 impl Evaluate for LevelsOfDetail {
     fn evaluate(&self, cx: &mut Context<'_>) -> Result<Self::Outputs, NodeError> {
         match (cx.wants_part("shells", LEVELS), self.shells.encoding) {
-            (true, _) => Ok(shell_texture(shell_stack(&self.shells)?.with_levels()?).into()),
+            (true, _) => Ok(each_mixture(&self.shells, |shells| Ok(shell_texture(shell_stack(shells)?.with_levels()?)))?.into()),
             // Blocks are decoded, as they are with levels.
-            (false, Encoding::Bc3) => Ok(shell_texture(shell_stack(&self.shells)?).into()),
+            (false, Encoding::Bc3) => Ok(each_mixture(&self.shells, |shells| Ok(shell_texture(shell_stack(shells)?)))?.into()),
             (false, Encoding::Rgba8) => Ok(Arc::clone(&self.shells).into()),
         }
     }
@@ -68,8 +69,11 @@ impl Evaluate for ShareImages {
     fn evaluate(&self, cx: &mut Context<'_>) -> Result<Self::Outputs, NodeError> {
         // The first is the skin, whatever shares the others.
         let count = if cx.wants_part("shells", LAYERS) { self.count } else { 1 };
-        let shared = shell_stack(&self.shells)?.shared(count, Spacing::from(&self.spacing))?;
-        Ok(shell_texture(if self.keep_density { shared } else { shared.repeated() }).into())
+        let shells = each_mixture(&self.shells, |shells| {
+            let shared = shell_stack(shells)?.shared(count, Spacing::from(&self.spacing))?;
+            Ok(shell_texture(if self.keep_density { shared } else { shared.repeated() }))
+        })?;
+        Ok(shells.into())
     }
 
     fn needs(wanted: &Wanted<'_>, _: &Params<'_>) -> Needs {
@@ -126,9 +130,11 @@ pub struct OneLayer {
 
 impl Evaluate for OneLayer {
     fn evaluate(&self, _: &mut Context<'_>) -> Result<Self::Outputs, NodeError> {
-        let stack = shell_stack(&self.shells)?;
+        // Coats that become each other have no one ramp: they are judged by the first and stay as they are.
+        let first = self.shells.mixture(0).ok_or("the shells have no images; sample some hair")?;
+        let stack = shell_stack(&first)?;
         let fit = OneLayerFit::of(&stack)?;
-        let kept = fit.unlikeness <= self.tolerance;
+        let kept = fit.unlikeness <= self.tolerance && self.shells.mixtures == 1;
         if !kept && self.otherwise == NotStraight::Refuse {
             return Err(format!(
                 "the shells are unlike one image by {:.3} of their coverage, more than the tolerance of {:.3}: keep them, let the hair stand straighter, or allow more",
@@ -178,15 +184,17 @@ pub struct CompressShells {
 
 impl Evaluate for CompressShells {
     fn evaluate(&self, _: &mut Context<'_>) -> Result<Self::Outputs, NodeError> {
-        let stack = shell_stack(&self.shells)?;
-        let shells = match (&self.form, self.shells.encoding) {
-            // Compressed once, it is what it is.
-            (BlockForm::Blocks, Encoding::Bc3) => Arc::clone(&self.shells),
-            (BlockForm::Texels, Encoding::Bc3) => Arc::new(shell_texture(stack)),
-            (BlockForm::Blocks, Encoding::Rgba8) => Arc::new(compressed_texture(stack.compressed())),
-            (BlockForm::Texels, Encoding::Rgba8) => Arc::new(shell_texture(stack.compressed().decoded())),
-        };
-        Ok(CompressShellsOutputs { shells: Some(shells) })
+        let shells = each_mixture(&self.shells, |shells| {
+            let stack = shell_stack(shells)?;
+            Ok(match (&self.form, shells.encoding) {
+                // Compressed once, it is what it is.
+                (BlockForm::Blocks, Encoding::Bc3) => shells.clone(),
+                (BlockForm::Texels, Encoding::Bc3) => shell_texture(stack),
+                (BlockForm::Blocks, Encoding::Rgba8) => compressed_texture(stack.compressed()),
+                (BlockForm::Texels, Encoding::Rgba8) => shell_texture(stack.compressed().decoded()),
+            })
+        })?;
+        Ok(shells.into())
     }
 
     fn needs(wanted: &Wanted<'_>, _: &Params<'_>) -> Needs {

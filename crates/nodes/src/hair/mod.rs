@@ -6,6 +6,7 @@ mod grow;
 mod guides;
 mod kinds;
 mod picture;
+mod row;
 mod sample;
 
 pub use economy::{BlockForm, CompressShells, LevelsOfDetail, NotStraight, OneLayer, OneLayerReport, ShareImages};
@@ -13,4 +14,5 @@ pub use grow::{GrowStrands, HairUndercoat};
 pub use guides::{GuideHair, GuideStrands, MixStrands};
 pub use kinds::{HairBand, HairGather, HairNoise, HairOffset, HairOpacity, HairPattern, HairStyle, HairTaper, TilePattern};
 pub use picture::FinImage;
+pub use row::CoatsInARow;
 pub use sample::{CurlReport, FinDirection, SampleFin, SampleShells, ShellSpacing};

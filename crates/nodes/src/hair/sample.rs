@@ -8,6 +8,7 @@ use pelage_strand::StrandTile;
 use pelage_volume::{FinAcross, FinSettings, ShellSettings, Spacing};
 
 use super::convert::{fin_texture, shell_texture};
+use super::row::{joined, mixtures};
 use crate::parts::{DIRECTIONS, LAYERS};
 use crate::shading::linear;
 
@@ -101,6 +102,9 @@ pub struct SampleShells {
     /// What heights are scaled by before directions are taken: the fur's length on the surface over the height of the hair's box laid on it.
     #[param(default = 1.0, range = 0.001..=1000.0, unit = "ratio", effect = "larger: hair stands more upright to the light; none on cost")]
     pub stretch: f64,
+    /// Of coats in a row: into how many steps the way from one to the next is cut, at each of which its hair is sampled.
+    #[param(default = 4, range = 1..=32, unit = "mixtures from a coat to the next", effect = "more: between two of them less hair is seen faintly; memory is linear in it; none for hair of one coat")]
+    pub mixtures: u32,
 }
 
 impl Evaluate for SampleShells {
@@ -115,7 +119,8 @@ impl Evaluate for SampleShells {
             ..ShellSettings::default()
         };
         let sample = if cx.wants_part("shells", LAYERS) { pelage_volume::sample_shells } else { pelage_volume::sample_skin };
-        let shells = shell_texture(sample(&self.strands, &settings)?);
+        let stacks = mixtures(&self.strands, self.mixtures, |strands| Ok(shell_texture(sample(strands, &settings)?)))?;
+        let shells = joined(stacks, ShellTexture::joined)?;
         let report = CurlReport::of(&self.strands, self.layers, self.resolution);
         Ok(SampleShellsOutputs { shells: Some(Arc::new(shells)), report: Some(Arc::new(report)) })
     }
@@ -154,6 +159,9 @@ pub struct SampleFin {
     /// From which side the hair is seen.
     #[param(default = FinDirection::Front)]
     pub seen_from: FinDirection,
+    /// Of coats in a row: as many as those of the shells.
+    #[param(default = 4, range = 1..=32, unit = "mixtures from a coat to the next", effect = "as those of the shells")]
+    pub mixtures: u32,
 }
 
 impl Evaluate for SampleFin {
@@ -169,7 +177,7 @@ impl Evaluate for SampleFin {
             },
             ..FinSettings::default()
         };
-        let fin = pelage_volume::sample_fin(&self.strands, &settings)?;
-        Ok(fin_texture(fin).into())
+        let fins = mixtures(&self.strands, self.mixtures, |strands| Ok(fin_texture(pelage_volume::sample_fin(strands, &settings)?)))?;
+        Ok(joined(fins, FinTexture::joined)?.into())
     }
 }

@@ -29,7 +29,8 @@ impl Layer<'_> {
     fn strand(&self, face: usize, map: &FaceMap, pieces: &[Piece], (tiles, copy): ([i64; 2], u32), laid: &mut Laid) {
         let root = map.barycentric(moved(pieces[0].places[0], tiles));
         let (end, growth) = (root.dot(map.ends.into()), root.dot(map.growths.into()));
-        if growth <= 0.0 {
+        let mix = root.dot(map.mixes.into());
+        if growth <= 0.0 || !self.hair.stands_between(pieces[0].strand, mix, mix) {
             return;
         }
         let sheet = map.sheet.with_curve_of(root);

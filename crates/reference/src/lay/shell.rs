@@ -14,8 +14,10 @@ impl Layer<'_> {
         let thickest = self.hair.thickest();
         let margins = if self.edges == Edges::Bodies { map.margins(thickest) } else { Margins::default() };
         let (low, high) = map.bounds_with(&margins);
+        let (least, most) = map.mix_range();
         self.hair.around(low, high, |piece, tiles| {
-            if room.is_left(laid) {
+            // Where exactly a hair ends between two coats rays find out.
+            if room.is_left(laid) && self.hair.stands_between(piece.strand, least, most) {
                 let beta = piece.places.map(|place| map.barycentric(moved(place, tiles)));
                 let copy = copy_of(patch, piece.strand, tiles);
                 let margins = margins.scaled(piece.radii[0].max(piece.radii[1]) / thickest.max(f64::MIN_POSITIVE));

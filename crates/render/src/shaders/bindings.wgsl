@@ -21,6 +21,6 @@
 
 @group(1) @binding(0) var<storage, read> skin: array<vec4u>;   // position, normal
 @group(1) @binding(1) var<storage, read> fur: array<vec4u>;    // offset, hair direction
-@group(1) @binding(2) var<storage, read> looks: array<vec4u>;  // colour, end, bend as half floats
+@group(1) @binding(2) var<storage, read> looks: array<vec4u>;  // colour, end, bend, mix as half floats
 @group(1) @binding(3) var<storage, read> edges: array<vec4u>;  // three for each edge
-@group(1) @binding(4) var fin_texture: texture_2d<f32>;
+@group(1) @binding(4) var fin_texture: texture_2d_array<f32>;

@@ -21,6 +21,7 @@ struct Frame {
     table: vec4f,         // (size − 1) / size, 0.5 / size, u by angle, v by angle
     fins: vec4f,          // rule, threshold, segments, opacity
     light_from_coat: mat4x4f,  // the first light's view
+    mixes: vec4f,         // images of a mixture of hair, how many mixtures follow the first; unused
     casting: vec4f,       // the fur's length in that view's depth, shells that one that casts stands for, a bias in diameters; layers that a shell shows
 };
 
@@ -51,6 +52,7 @@ struct Vertex {
     direction: vec3f,
     colour: vec3f,
     end: f32,
+    mix: f32,          // between the first mixture of hair and the last
 };
 
 #if INSTANCED
@@ -97,14 +99,16 @@ fn vertex_at(index: u32) -> Vertex {
     let f = fur[index];
     let l = looks[index];
     let blue_end = unpack2x16float(l.y);
+    let bend_mix = unpack2x16float(l.w);
     let v = Vertex(
         bitcast<vec3f>(s.xyz),
         unpack_direction(s.w),
         bitcast<vec3f>(f.xyz) * frame.fur.x,
-        vec3f(unpack2x16float(l.z), unpack2x16float(l.w).x) * frame.fur.x,
+        vec3f(unpack2x16float(l.z), bend_mix.x) * frame.fur.x,
         unpack_mean_direction(f.w),
         vec3f(unpack2x16float(l.x), blue_end.x),
         blue_end.y,
+        bend_mix.y,
     );
 #if INSTANCED
     // The frame is that of the world.
@@ -116,6 +120,7 @@ fn vertex_at(index: u32) -> Vertex {
         in_world(vec4f(v.direction, 0.0)) / size_in_world(),
         v.colour,
         v.end,
+        v.mix,
     );
 #else
     return v;

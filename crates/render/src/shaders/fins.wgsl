@@ -13,6 +13,9 @@ struct FinVertex {
 #if CUT
     @location(3) @interpolate(perspective, centroid) end: f32,
 #endif
+#if MIXED
+    @location(6) @interpolate(perspective, centroid) mix: f32,
+#endif
 };
 
 @vertex
@@ -41,6 +44,9 @@ fn fin_vertex(@builtin(vertex_index) corner: u32, @builtin(instance_index) fin: 
 #if CUT
     out.end = v.end;
 #endif
+#if MIXED
+    out.mix = v.mix;
+#endif
     return out;
 }
 
@@ -48,7 +54,17 @@ fn fin_vertex(@builtin(vertex_index) corner: u32, @builtin(instance_index) fin: 
 fn fin_fragment(in: FinVertex) -> @location(0) vec4f {
     // Row 0 of the texture is the tips.
     let depth = 1.0 - in.fin.y;
-    var hair = textureSample(fin_texture, fin_sampler, vec2f(in.fin.x, depth)) * (in.fin.w * clamp(in.fin.z, 0.0, 1.0));
+#if MIXED
+    set_mixture(in.mix);
+    // A drawn fin may be one for all.
+    let last = textureNumLayers(fin_texture) - 1u;
+    let first = textureSample(fin_texture, fin_sampler, vec2f(in.fin.x, depth), min(mixtures_before, last));
+    let next = textureSample(fin_texture, fin_sampler, vec2f(in.fin.x, depth), min(mixtures_before + 1u, last));
+    var hair = mix(first, next, to_next_mixture);
+#else
+    var hair = textureSample(fin_texture, fin_sampler, vec2f(in.fin.x, depth), 0);
+#endif
+    hair *= in.fin.w * clamp(in.fin.z, 0.0, 1.0);
 #if CUT
     hair *= clamp(cut_of(in.end, in.fin.y), 0.0, 1.0);
 #endif

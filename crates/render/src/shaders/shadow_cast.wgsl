@@ -14,6 +14,9 @@ struct ShadowVertex {
     @builtin(position) position: vec4f,
     @location(0) tile: vec4f,  // tile coordinates, growth, what a cut leaves
     @location(1) @interpolate(flat) shell: u32,
+#if MIXED
+    @location(2) mix: f32,
+#endif
 };
 
 @vertex
@@ -23,11 +26,20 @@ fn shadow_shell_vertex(
 ) -> ShadowVertex {
     let height = shells[place_among].height;
     let v = vertex_at(index);
-    return ShadowVertex(
-        frame.light_from_coat * vec4f(v.position + curve(v, height), 1.0), vec4f(tile, growth_of(v.offset), cut_of(v.end, height)), place_among);
+    var out: ShadowVertex;
+    out.position = frame.light_from_coat * vec4f(v.position + curve(v, height), 1.0);
+    out.tile = vec4f(tile, growth_of(v.offset), cut_of(v.end, height));
+    out.shell = place_among;
+#if MIXED
+    out.mix = v.mix;
+#endif
+    return out;
 }
 
 fn opacity_of(in: ShadowVertex) -> f32 {
+#if MIXED
+    set_mixture(in.mix);
+#endif
     // A shell that casts stands for those that are left out below it.
     return thickened(hair_at(in.tile.xy, in.shell, 0.0).a, frame.casting.y) * clamp(in.tile.z, 0.0, 1.0) * clamp(in.tile.w, 0.0, 1.0);
 }

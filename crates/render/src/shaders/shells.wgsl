@@ -31,6 +31,9 @@ struct ShellVertex {
 #if SHADOW_MAP
     @location(11) in_light: vec3f,  // where on the shadow map, distance
 #endif
+#if MIXED
+    @location(13) mix: f32,  // between the first mixture of hair and the last
+#endif
 };
 
 // How far apart, in pixels, a strand's places in this layer and the next are.
@@ -103,6 +106,9 @@ fn shell_vertex(
     let blur = level_bias(step, dot(v.normal, normalize(frame.eye.xyz - place)));
     out.tile = vec3f(tile, blur);
     out.shell = place_among;
+#if MIXED
+    out.mix = v.mix;
+#endif
 #if KEPT
     out.kept = vec2f(growth_of(v.offset), cut_of(v.end, shell.top));
 #endif
@@ -162,11 +168,20 @@ fn first_light(v: Vertex, direction: vec3f, toward_eye: vec3f, depth: f32) -> ve
 #endif
 
 #if MAP
+// A texel of the direction map.
+fn direction_texel(tile: vec2f, image: u32, blur: f32) -> vec3f {
+#if MIXED
+    return mixed_image(hair_directions, tile, image, blur).xyz;
+#else
+    return textureSampleBias(hair_directions, tile_sampler, tile, image, blur).xyz;
+#endif
+}
+
 // Which way the hair goes, from 0 to 1 along each axis; `images` are those of this level and of the one it becomes.
 fn mapped_direction(tile: vec2f, images: u32, blur: f32) -> vec3f {
-    var direction = textureSampleBias(hair_directions, tile_sampler, tile, images & 0xffffu, blur).xyz;
+    var direction = direction_texel(tile, images & 0xffffu, blur);
 #if LEVELS
-    direction = mix(direction, textureSampleBias(hair_directions, tile_sampler, tile, images >> 16u, blur).xyz, later());
+    direction = mix(direction, direction_texel(tile, images >> 16u, blur), later());
 #endif
     return direction;
 }
@@ -236,6 +251,9 @@ fn shell_light(in: ShellVertex, tile: vec2f, place_among: u32) -> vec3f {
 #if MARCH
 // L26, N9: this shell and the layers under it, as the ray of sight meets them, down to the next shell that is drawn.
 fn shell_colour(in: ShellVertex) -> vec4f {
+#if MIXED
+    set_mixture(in.mix);
+#endif
     let steps = u32(frame.screen.w);
     let slide = aside(in.inward, 0.1);
     let top = shells[in.shell].top;
@@ -268,6 +286,9 @@ fn shell_colour(in: ShellVertex) -> vec4f {
 }
 #else
 fn shell_colour(in: ShellVertex) -> vec4f {
+#if MIXED
+    set_mixture(in.mix);
+#endif
     let hair = hair_at(in.tile.xy, in.shell, in.tile.z) * kept(in, 0.0);
     return vec4f(hair.rgb * shell_light(in, in.tile.xy, in.shell), hair.a);
 }

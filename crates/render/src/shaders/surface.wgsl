@@ -12,6 +12,9 @@ struct SurfaceVertex {
     @location(4) direct: vec3f,  // what of `light` is the first light's
     @location(5) in_light: vec3f,
 #endif
+#if MIXED
+    @location(6) mix: f32,
+#endif
 };
 
 #if INSTANCED
@@ -28,6 +31,9 @@ fn surface_vertex(@location(0) index: u32, @location(1) tile: vec2f) -> SurfaceV
     var out: SurfaceVertex;
     out.position = frame.clip_from_coat * vec4f(v.position, 1.0);
     out.tile = vec3f(tile, growth_of(v.offset));
+#if MIXED
+    out.mix = v.mix;
+#endif
 #if !GROWN
     // The skin's own colour is the mean of its layer: the last mip.
     out.skin = v.colour * textureSampleLevel(skin_image, tile_sampler, vec2f(0.5), 16.0).rgb;
@@ -45,15 +51,18 @@ fn surface_vertex(@location(0) index: u32, @location(1) tile: vec2f) -> SurfaceV
 
 // The skin, with the hair on it that coarse levels of detail have there.
 fn skin_at(tile: vec2f) -> vec3f {
-    var seen = textureSample(shell_images, tile_sampler, tile, shells[0].images & 0xffffu).rgb;
+    var seen = shell_texel(tile, shells[0].images & 0xffffu, 0.0).rgb;
 #if LEVELS
-    seen = mix(seen, textureSample(shell_images, tile_sampler, tile, shells[0].images >> 16u).rgb, later());
+    seen = mix(seen, shell_texel(tile, shells[0].images >> 16u, 0.0).rgb, later());
 #endif
     return seen;
 }
 
 @fragment
 fn surface_fragment(in: SurfaceVertex) -> @location(0) vec4f {
+#if MIXED
+    set_mixture(in.mix);
+#endif
 #if SHADOW_MAP
     let shadow = shadow_at(in.in_light);
     let light = in.light + in.direct * shadow;

@@ -94,7 +94,7 @@ pub fn flat_hair(layers: u32, colour: Vec3) -> Hair {
     let mip = |layers: u32| MipImage { width: 1, height: 1, texels: texel.repeat(layers as usize) };
     Hair {
         shells: Arc::new(ShellTexture::stack(layers, vec![mip(layers)])),
-        fin: Arc::new(FinTexture { tiles_across: 1.0, mips: vec![mip(1)] }),
+        fin: Arc::new(FinTexture { tiles_across: 1.0, mixtures: 1, mips: vec![mip(1)] }),
     }
 }
 
@@ -151,6 +151,7 @@ pub fn twice(coat: &Coat, place: impl Fn(Vec3) -> Vec3) -> Coat {
         array.extend_from_within(..);
     }
     surface.ends.extend_from_within(..);
+    surface.mixes.extend_from_within(..);
     let (vertices, corners, faces) =
         (coat.surface.positions.len() as u32, coat.patches.vertices.len() as u32, coat.patches.faces.len() as u32);
     let patches = &mut pair.patches;
