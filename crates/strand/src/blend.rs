@@ -37,7 +37,8 @@ impl StrandTile {
         let height = tiles.iter().map(|tile| tile.height()).reduce(f64::max).ok_or(StrandError::NoTiles)?;
         check_size(tiles)?;
         let coats: u32 = tiles.iter().map(|tile| tile.coats()).sum();
-        let mut row = Self { transitions: coats - 1, ..Self::empty(height) };
+        let mut row = Self::empty(height);
+        row.transitions = coats - 1;
         let mut before = 0;
         for tile in tiles {
             let last = before + tile.transitions;
