@@ -59,7 +59,7 @@ impl Render {
         if self.stats.is_some() {
             request = request.and_output(&frame).with_all_values();
         }
-        if self.stats.is_some() || self.verbose {
+        if self.stats.is_some() || self.running.verbose {
             for report in reports_behind(&checked, &output) {
                 request = request.and_output(&report);
             }

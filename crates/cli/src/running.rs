@@ -20,7 +20,7 @@ pub(crate) struct Running {
     pub(crate) quiet: bool,
     /// Say what each node did.
     #[arg(short, long, conflicts_with = "quiet")]
-    verbose: bool,
+    pub(crate) verbose: bool,
 }
 
 impl Running {

@@ -54,7 +54,7 @@ mod transport;
 
 pub use self::noise::{Noise, NoiseKind};
 pub use colour::ColourField;
-pub use comb::{Brush, Comb, MOST_SLANT, Stroke, Tool};
+pub use comb::{Brush, BrushStroke, Comb, MOST_SLANT, Tool};
 pub use completion::LEAST_PROJECTION;
 pub use constraints::Constraint;
 pub use direction::DirectionField;

@@ -4,7 +4,7 @@
 use std::f64::consts::{FRAC_PI_2, PI};
 
 use glam::DVec3;
-use pelage_field::{Brush, Comb, DirectionField, FieldError, MOST_SLANT, Stroke, Tool, singularities};
+use pelage_field::{Brush, BrushStroke, Comb, DirectionField, FieldError, MOST_SLANT, Tool, singularities};
 use pelage_mesh::{Mesh, plane, sphere, torus};
 use proptest::prelude::*;
 
@@ -13,16 +13,16 @@ fn sheet() -> Mesh {
     plane(2.0, 2.0, 40, 40).unwrap()
 }
 
-fn dab(tool: Tool) -> Stroke {
-    Stroke { tool, path: vec![DVec3::ZERO], radius: 0.15, strength: 1.0 }
+fn dab(tool: Tool) -> BrushStroke {
+    BrushStroke { tool, path: vec![DVec3::ZERO], radius: 0.15, strength: 1.0 }
 }
 
-fn along_x(tool: Tool) -> Stroke {
-    Stroke { path: vec![DVec3::new(-0.6, 0.0, 0.0), DVec3::new(0.6, 0.0, 0.0)], ..dab(tool) }
+fn along_x(tool: Tool) -> BrushStroke {
+    BrushStroke { path: vec![DVec3::new(-0.6, 0.0, 0.0), DVec3::new(0.6, 0.0, 0.0)], ..dab(tool) }
 }
 
 /// Fur that leans along x by 0.5, after a stroke.
-fn after(mesh: &Mesh, stroke: &Stroke) -> Comb {
+fn after(mesh: &Mesh, stroke: &BrushStroke) -> Comb {
     let field = DirectionField::toward(mesh, DVec3::X).unwrap();
     let mut comb = Comb::new(mesh, Some(&field), 0.5).unwrap();
     Brush::on(mesh).apply(stroke, &mut comb).unwrap();
@@ -52,8 +52,10 @@ fn under_its_middle_each_tool_does_what_it_is_told() {
     assert!((middle(Tool::Cut { to: 0.3 }).1 - 0.3).abs() < 1e-6);
     let (lean, length) = middle(Tool::Puff { by: 0.5 });
     assert!((length - 1.5).abs() < 1e-6 && near(lean, 0.25 * DVec3::X));
-    let along =
-        after(&sheet, &Stroke { path: vec![DVec3::new(0.0, 0.0, -0.5), DVec3::new(0.0, 0.0, 0.5)], ..dab(Tool::Along { slant: 0.8 }) });
+    let along = after(
+        &sheet,
+        &BrushStroke { path: vec![DVec3::new(0.0, 0.0, -0.5), DVec3::new(0.0, 0.0, 0.5)], ..dab(Tool::Along { slant: 0.8 }) },
+    );
     assert!(near(at(&sheet, &along, DVec3::ZERO).0, 0.8 * DVec3::Z));
 }
 
@@ -65,7 +67,7 @@ fn a_part_lays_fur_aside_and_a_whorl_around() {
         let (lean, _) = at(&sheet, &parted, DVec3::new(0.1, 0.0, side * 0.05));
         assert!(lean.z * side > 0.7 && lean.x.abs() < 0.2, "{side}: {lean}");
     }
-    let whirled = after(&sheet, &Stroke { radius: 0.3, ..dab(Tool::Whorl { turn: FRAC_PI_2, slant: 1.0 }) });
+    let whirled = after(&sheet, &BrushStroke { radius: 0.3, ..dab(Tool::Whorl { turn: FRAC_PI_2, slant: 1.0 }) });
     for angle in [0.3, 1.7, 3.9, 5.5_f64] {
         let away = DVec3::new(angle.cos(), 0.0, angle.sin());
         let (lean, _) = at(&sheet, &whirled, 0.1 * away);
@@ -102,7 +104,7 @@ fn swirls_set_by_hand_are_singularities_that_add_up() {
         let mut comb = Comb::new(&mesh, Some(&field), 0.6).unwrap();
         let mut brush = Brush::on(&mesh);
         for turn in [0.0, 2.0] {
-            let stroke = Stroke { tool: Tool::Whorl { turn, slant: 1.0 }, path: vec![place], radius: 0.15, strength: 1.0 };
+            let stroke = BrushStroke { tool: Tool::Whorl { turn, slant: 1.0 }, path: vec![place], radius: 0.15, strength: 1.0 };
             brush.apply(&stroke, &mut comb).unwrap();
             let found = singularities(&mesh, &comb.directions(&mesh).unwrap()).unwrap();
             assert_eq!(found.iter().map(|s| s.index).sum::<i32>(), euler);
@@ -141,7 +143,7 @@ fn a_lean_everywhere_is_bounded_and_tangent() {
 fn what_cannot_be_stroked_is_refused_and_nothing_changed() {
     let sheet = sheet();
     let start = Comb::new(&sheet, None, 0.0).unwrap();
-    let refused = |stroke: Stroke| {
+    let refused = |stroke: BrushStroke| {
         let mut comb = start.clone();
         let error = Brush::on(&sheet).apply(&stroke, &mut comb).unwrap_err();
         assert_eq!(comb, start);
@@ -149,16 +151,16 @@ fn what_cannot_be_stroked_is_refused_and_nothing_changed() {
     };
     let lift = || dab(Tool::Lift);
     for (stroke, expected) in [
-        (Stroke { path: vec![], ..lift() }, "one finite place"),
-        (Stroke { path: vec![DVec3::NAN], ..lift() }, "one finite place"),
-        (Stroke { radius: 0.0, ..lift() }, "radius must be"),
-        (Stroke { radius: f64::NAN, ..lift() }, "radius must be"),
-        (Stroke { strength: 1.5, ..lift() }, "strength must be"),
+        (BrushStroke { path: vec![], ..lift() }, "one finite place"),
+        (BrushStroke { path: vec![DVec3::NAN], ..lift() }, "one finite place"),
+        (BrushStroke { radius: 0.0, ..lift() }, "radius must be"),
+        (BrushStroke { radius: f64::NAN, ..lift() }, "radius must be"),
+        (BrushStroke { strength: 1.5, ..lift() }, "strength must be"),
         (dab(Tool::Along { slant: 0.3 }), "two places"),
         (dab(Tool::Cut { to: -0.1 }), "what is cut"),
         (dab(Tool::Comb { toward: DVec3::INFINITY }), "angles must be finite"),
-        (Stroke { path: vec![DVec3::ZERO, DVec3::new(0.0, 0.0, 3.0)], ..lift() }, "place 1"),
-        (Stroke { radius: 1e-6, path: vec![DVec3::ZERO, DVec3::X], ..lift() }, "longer than 1000"),
+        (BrushStroke { path: vec![DVec3::ZERO, DVec3::new(0.0, 0.0, 3.0)], ..lift() }, "place 1"),
+        (BrushStroke { radius: 1e-6, path: vec![DVec3::ZERO, DVec3::X], ..lift() }, "longer than 1000"),
     ] {
         let error = refused(stroke);
         assert!(error.contains(expected), "{expected}: {error}");
@@ -199,7 +201,7 @@ proptest! {
         let before = comb.clone();
         let mut brush = Brush::on(&ball);
         for tool in tools {
-            brush.apply(&Stroke { tool, path: vec![from, to], radius, strength }, &mut comb).unwrap();
+            brush.apply(&BrushStroke { tool, path: vec![from, to], radius, strength }, &mut comb).unwrap();
         }
         let reach = radius * ball.diameter();
         for (vertex, normal) in ball.vertices().zip(ball.vertex_normals()) {

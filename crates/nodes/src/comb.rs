@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use glam::{DVec3, Vec3};
 use pelage_coat::{Camera, Frame};
-use pelage_field::{Brush, Comb, DirectionField, ScalarField, Stroke, Tool};
+use pelage_field::{Brush, BrushStroke, Comb, DirectionField, ScalarField, Tool};
 use pelage_graph::{Context, Evaluate, Node, NodeError, Param};
 use pelage_mesh::{Mesh, Ray, SpatialIndex};
 
@@ -171,7 +171,7 @@ impl Evaluate for CombStrokes {
 
 impl CombStroke {
     /// The stroke on a surface.
-    fn on(&self, index: &SpatialIndex<'_>) -> Result<Stroke, NodeError> {
+    fn on(&self, index: &SpatialIndex<'_>) -> Result<BrushStroke, NodeError> {
         let (path, drag) = match &self.over {
             StrokePath::Surface { path } => (path.iter().map(|&place| DVec3::from(place)).collect(), DVec3::ZERO),
             &StrokePath::Screen { azimuth, elevation, margin, from, to } => {
@@ -181,7 +181,7 @@ impl CombStroke {
                 (places.into_iter().map(|place| picture.pick(index, place)).collect::<Result<_, _>>()?, picture.drag(from, to))
             }
         };
-        Ok(Stroke { tool: self.tool.with(drag), path, radius: self.radius, strength: self.strength })
+        Ok(BrushStroke { tool: self.tool.with(drag), path, radius: self.radius, strength: self.strength })
     }
 }
 

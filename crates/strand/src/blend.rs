@@ -85,7 +85,9 @@ impl StrandTile {
     fn append(&mut self, tile: &Self, stands: impl Fn(f64, [f32; 2]) -> [f64; 2]) {
         let stretch = self.height / tile.height.max(f64::MIN_POSITIVE);
         for (index, strand) in tile.strands().enumerate() {
-            let rank = ((index as f64 + 0.5) * GOLDEN).fract();
+            // A hair that came by its rank goes by it.
+            let known = strand.stands.into_iter().find(|place| place.is_finite());
+            let rank = known.map_or(((index as f64 + 0.5) * GOLDEN).fract(), |place| f64::from(place).rem_euclid(1.0));
             self.copy(tile, index, stretch, stands(rank, strand.stands).map(|place| place as f32));
         }
     }

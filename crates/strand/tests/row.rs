@@ -35,7 +35,8 @@ fn a_row_of_a_row_is_one_row() {
     for nested in [first.unwrap(), last.unwrap()] {
         assert_eq!((nested.coats(), nested.strand_count()), (flat.coats(), flat.strand_count()));
         for (a, b) in nested.strands().zip(flat.strands()) {
-            assert_eq!((a.radii, a.stands, a.cell), (b.radii, b.stands, b.cell));
+            assert_eq!((a.radii, a.cell), (b.radii, b.cell));
+            assert!(a.stands.iter().zip(b.stands).all(|(p, q)| *p == q || (p - q).abs() < 1e-5), "{:?} {:?}", a.stands, b.stands);
             // Stretched twice, heights may round another way.
             assert!(a.points.iter().zip(b.points).all(|(p, q)| p[..2] == q[..2] && (p[2] - q[2]).abs() < 1e-6));
         }

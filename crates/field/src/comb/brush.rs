@@ -5,7 +5,7 @@ use pelage_mesh::{Geodesics, Mesh, Source, SpatialIndex, SurfacePoint, VertexId}
 
 use super::stroke::MOST_PLACES;
 use super::tools::{Touch, touch};
-use super::{Comb, Stroke};
+use super::{BrushStroke, Comb};
 use crate::FieldError;
 
 /// A stroke's places are no further apart than this part of its radius.
@@ -29,7 +29,7 @@ impl<'a> Brush<'a> {
     ///
     /// # Errors
     /// A stroke out of range or off the surface, a comb of another mesh; the comb is then as it was.
-    pub fn apply(&mut self, stroke: &Stroke, comb: &mut Comb) -> Result<Vec<VertexId>, FieldError> {
+    pub fn apply(&mut self, stroke: &BrushStroke, comb: &mut Comb) -> Result<Vec<VertexId>, FieldError> {
         let vertices = self.mesh.positions().len();
         if comb.leans.len() != vertices {
             return Err(FieldError::Length { values: comb.leans.len(), expected: vertices });
@@ -56,7 +56,7 @@ impl<'a> Brush<'a> {
     }
 
     /// The stroke's places on the surface, with others between those that are far apart.
-    fn places(&self, stroke: &Stroke) -> Result<Vec<(DVec3, SurfacePoint)>, FieldError> {
+    fn places(&self, stroke: &BrushStroke) -> Result<Vec<(DVec3, SurfacePoint)>, FieldError> {
         stroke.check()?;
         let radius = stroke.radius * self.mesh.diameter();
         let mut places = Vec::new();

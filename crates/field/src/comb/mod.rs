@@ -11,7 +11,7 @@ use crate::transport::tangent_part;
 use crate::{DirectionField, FieldError, ScalarField};
 
 pub use brush::Brush;
-pub use stroke::{Stroke, Tool};
+pub use stroke::{BrushStroke, Tool};
 
 /// The furthest that fur is combed down, in radians: 80°. Beyond it, shells lie on each other.
 pub const MOST_SLANT: f64 = 80.0 * std::f64::consts::PI / 180.0;

@@ -55,7 +55,7 @@ pub enum Tool {
 
 /// One stroke.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Stroke {
+pub struct BrushStroke {
     /// What is in the hand.
     pub tool: Tool,
     /// Where it goes, in model coordinates: each place is brought to the surface, from no further off than the radius. One place is a dab.
@@ -66,7 +66,7 @@ pub struct Stroke {
     pub strength: f64,
 }
 
-impl Stroke {
+impl BrushStroke {
     pub(super) fn check(&self) -> Result<(), FieldError> {
         let wrong = |what: &'static str| Err(FieldError::Stroke { what });
         if self.path.is_empty() || !self.path.iter().all(|place| place.is_finite()) {
