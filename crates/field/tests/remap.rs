@@ -33,6 +33,15 @@ fn a_curve_goes_through_its_points_and_has_no_hills_between() {
     let values = remapped(&(0..=100).map(|k| k as f32 / 100.0).collect::<Vec<_>>(), (0.0, 1.0), (0.0, 1.0), &curve);
     assert!(values[10..=30].is_sorted() && values[30..=60].iter().all(|&v| v == 1.0) && values[60..].iter().rev().is_sorted());
     assert!((values[90] - 0.2).abs() < 1e-6 && (values[100] - 0.2).abs() < 1e-6);
+    // A peak is no higher than its point.
+    let peak = Course::Curve(vec![(0.0, 0.0), (0.3, 1.0), (1.0, 0.2)]);
+    let values = remapped(&(0..=100).map(|k| k as f32 / 100.0).collect::<Vec<_>>(), (0.0, 1.0), (0.0, 1.0), &peak);
+    assert!(
+        values[..=30].is_sorted()
+            && values[30..].iter().rev().is_sorted()
+            && (values[30] - 1.0).abs() < 1e-6
+            && values.iter().all(|v| *v <= 1.0)
+    );
     // Points on a line are a line.
     let line = Course::Curve(vec![(0.0, 0.0), (0.2, 0.2), (0.7, 0.7), (1.0, 1.0)]);
     let values = remapped(&[0.05, 0.5, 0.93], (0.0, 1.0), (0.0, 1.0), &line);
