@@ -116,8 +116,8 @@ impl Evaluate for SampleShells {
         };
         let sample = if cx.wants_part("shells", LAYERS) { pelage_volume::sample_shells } else { pelage_volume::sample_skin };
         let shells = shell_texture(sample(&self.strands, &settings)?);
-        let report = CurlReport::of(&self.strands, self.layers, self.resolution);
-        Ok(SampleShellsOutputs { shells: Some(Arc::new(shells)), report: Some(Arc::new(report)) })
+        let report = cx.wants("report").then(|| Arc::new(CurlReport::of(&self.strands, self.layers, self.resolution)));
+        Ok(SampleShellsOutputs { shells: Some(Arc::new(shells)), report })
     }
 
     fn needs(_: &Wanted<'_>, params: &Params<'_>) -> Needs {
