@@ -105,7 +105,10 @@ const NODES: &[(&str, &str)] = &[
     ("\"x\": GrowStrands(style: Curley(radius: 0.1))", "3:25: node \"x\", style: HairStyle has no variant Curley; did you mean Curly?"),
     ("\"x\": GrowStrands(style: Curly(raduis: 0.1))", "3:31: node \"x\", style: Curly has no field \"raduis\"; did you mean radius?"),
     ("\"x\": GrowStrands(style: Curly(radius: 9))", "3:39: node \"x\", style.radius: 9 is out of range: expected 0 to 1 (heights)"),
-    ("\"x\": GrowStrands(style: 3)", "3:25: node \"x\", style: expected one of Straight, Wavy, Curly, Zigzag, found the whole number 3"),
+    (
+        "\"x\": GrowStrands(style: 3)",
+        "3:25: node \"x\", style: expected one of Straight, Wavy, Curly, Zigzag, Woolly, found the whole number 3",
+    ),
     (
         "\"x\": GrowStrands(undercoat: (count: \"many\"))",
         "3:37: node \"x\", undercoat.count: expected a whole number, found the text \"many\"",

@@ -109,7 +109,7 @@ impl Default for GrowSettings {
             tip_thickness: 0.15,
             tip_variation: 0.0,
             taper: Taper::Power { exponent: 2.0 },
-            style: Style::Wavy { amplitude: 0.02286, waves: 1.2 },
+            style: Style::Wavy { amplitude: 0.008 / 0.35, waves: 1.2 },
             lean: 22.0,
             bend_variation: 0.0,
             splay: 10.0,

@@ -139,7 +139,7 @@ impl StrandTile {
         Ok(tile)
     }
 
-    /// The same hair, all of it as opaque as said and, where there are bands, of these colours; of those that it had else.
+    /// The same hair, all of it as opaque as said, and of these colours; without bands of its two colours at root and tip.
     ///
     /// # Errors
     /// An opacity that is not within 0 to 1.

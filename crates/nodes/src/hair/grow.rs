@@ -29,7 +29,7 @@ pub struct HairUndercoat {
 #[output(strands: StrandTile, "The hair of one tile.")]
 pub struct GrowStrands {
     /// Shape around the way of growth.
-    #[param(default = HairStyle::Wavy { amplitude: 0.02286, waves: 1.2 })]
+    #[param(default = HairStyle::Wavy { amplitude: 0.008 / 0.35, waves: 1.2 })]
     pub style: HairStyle,
     /// Guard hairs in a tile.
     #[param(default = 1400, range = 0..=1000000, unit = "strands a tile", effect = "100 is sparse, 1000 dense; cost is linear in it")]

@@ -13,7 +13,7 @@ pub enum HairStyle {
     /// A sine to one side and back.
     Wavy {
         /// How far to either side.
-        #[param(default = 0.02286, range = 0.0..=1.0, unit = "heights", effect = "wider waves")]
+        #[param(default = 0.008 / 0.35, range = 0.0..=1.0, unit = "heights", effect = "wider waves")]
         amplitude: f64,
         /// Periods from root to tip.
         #[param(default = 1.2, range = 0.0..=64.0, unit = "periods", effect = "finer waves; give at least 8 steps to each")]

@@ -121,8 +121,8 @@ impl Evaluate for SampleShells {
         let sample = if cx.wants_part("shells", LAYERS) { pelage_volume::sample_shells } else { pelage_volume::sample_skin };
         let stacks = mixtures(&self.strands, self.mixtures, |strands| Ok(shell_texture(sample(strands, &settings)?)))?;
         let shells = joined(stacks, ShellTexture::joined)?;
-        let report = CurlReport::of(&self.strands, self.layers, self.resolution);
-        Ok(SampleShellsOutputs { shells: Some(Arc::new(shells)), report: Some(Arc::new(report)) })
+        let report = cx.wants("report").then(|| Arc::new(CurlReport::of(&self.strands, self.layers, self.resolution)));
+        Ok(SampleShellsOutputs { shells: Some(Arc::new(shells)), report })
     }
 
     fn needs(_: &Wanted<'_>, params: &Params<'_>) -> Needs {
