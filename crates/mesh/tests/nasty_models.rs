@@ -83,7 +83,7 @@ const TABLE: [(&str, &str, Expected); 43] = [
     ("ngon_nonplanar", "accept", open(4, 5, 2, 1, 1, NONE)),
     ("vt_missing", "repair", Surface(Counts { notes: 1, ..SPHERE })),
     ("attr_extra_slashes", "repair", Surface(SPHERE)),
-    ("vertex_colours_w", "accept", Surface(SPHERE)),
+    ("vertex_colours_w", "accept", Surface(Counts { notes: 1, ..SPHERE })),
     ("vertex_two_coords", "error", Error(Some(11), "a vertex needs three numbers")),
     ("crlf", "accept", Surface(SPHERE)),
     ("tabs_spaces", "accept", Surface(SPHERE)),

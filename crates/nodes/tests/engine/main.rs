@@ -38,6 +38,7 @@ fn print(value: &Value) -> String {
         pelage_mesh::RepairReport,
         pelage_nodes::Curves,
         pelage_nodes::CurlReport,
+        pelage_nodes::Quality,
         pelage_nodes::OneLayerReport
     );
     // Its shapes show in where its skin is and in how fur lies on it.
