@@ -5,7 +5,7 @@ use std::f64::consts::{FRAC_PI_2, PI};
 
 use glam::DVec3;
 use pelage_field::{Brush, BrushStroke, Comb, DirectionField, FieldError, MOST_SLANT, Tool, singularities};
-use pelage_mesh::{Mesh, plane, sphere, torus};
+use pelage_mesh::{Mesh, Vertex, plane, sphere, torus};
 use proptest::prelude::*;
 
 /// 2 × 2 across y, its diagonal 2√2.
@@ -97,7 +97,7 @@ fn smoothing_brings_neighbours_together() {
 #[test]
 fn swirls_set_by_hand_are_singularities_that_add_up() {
     for (mesh, euler) in [(sphere(1.0, 16).unwrap(), 2), (torus(1.0, 0.4, 48, 24).unwrap(), 0)] {
-        let top = mesh.vertices().map(|v| v.position()).max_by(|a, b| a.y.total_cmp(&b.y)).unwrap();
+        let top = mesh.vertices().map(Vertex::position).max_by(|a, b| a.y.total_cmp(&b.y)).unwrap();
         // A little beside, as a singularity lies within a face.
         let place = top + DVec3::new(0.01, 0.0, 0.013);
         let field = DirectionField::toward(&mesh, DVec3::new(0.3, -0.2, -1.0)).unwrap();

@@ -1,5 +1,6 @@
 //! Coats that become each other (L24): where a mixture stands alone the picture is that of its own textures, whatever is switched on; between two it is of both, by their shares.
 #![allow(clippy::print_stdout, reason = "how far pictures are from each other")]
+#![allow(clippy::unwrap_used, reason = "clippy excuses test functions only, not what they call")]
 
 mod support;
 
@@ -46,7 +47,7 @@ fn mixed(mix: f32) -> Coat {
 }
 
 fn seen(coat: &Coat, options: &Options) -> Picture {
-    picture(coat, &view(options.clone()))
+    picture(coat, &view(*options))
 }
 
 #[test]
@@ -54,8 +55,8 @@ fn a_mixture_alone_is_drawn_as_its_own_textures_are() {
     let by_pixel = Options { lighting: LightingMode::Formula, ..Options::default() };
     let options = [
         Options::default(),
-        by_pixel.clone(),
-        Options { direction_map: false, ..by_pixel.clone() },
+        by_pixel,
+        Options { direction_map: false, ..by_pixel },
         Options { hair_shadow: 0.8, ..by_pixel },
         Options { march: March { layers: 3, steps: 2 }, ..Options::default() },
         Options { detail: Detail::Level(0.8), ..Options::default() },
