@@ -38,9 +38,10 @@ fn print(value: &Value) -> String {
         pelage_mesh::RepairReport,
         pelage_nodes::Curves,
         pelage_nodes::CurlReport,
-        pelage_nodes::Quality,
         pelage_nodes::OneLayerReport
     );
+    #[cfg(feature = "gpu")]
+    let printed = printed.or_else(|| first_of!(pelage_nodes::Quality));
     // Its shapes show in where its skin is and in how fur lies on it.
     let creature = || value.downcast_ref::<Creature>().map(|creature| format!("{:?} {:?}", creature.mesh(), creature.lie()));
     printed.or_else(creature).unwrap_or_else(|| panic!("{} cannot be compared", value.type_name()))
