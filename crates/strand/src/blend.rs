@@ -4,7 +4,7 @@
 //! other. Each hair has a place in the row from which, and one up to which, it stands.
 
 use crate::error::StrandError;
-use crate::settings::{MAX_POINTS, MAX_STRANDS};
+use crate::settings::check_size;
 use crate::tile::StrandTile;
 
 /// The golden ratio less 1: its multiples, whole numbers dropped, fill 0 to 1 evenly however many there are (Weyl).
@@ -35,7 +35,7 @@ impl StrandTile {
     /// No tile at all, or more strands or points than a tile holds.
     pub fn row(tiles: &[&Self]) -> Result<Self, StrandError> {
         let height = tiles.iter().map(|tile| tile.height()).reduce(f64::max).ok_or(StrandError::NoTiles)?;
-        check_size(tiles)?;
+        check_size(tiles.iter().map(|tile| tile.strand_count() as u64).sum(), tiles.iter().map(|tile| tile.point_count() as u64).sum())?;
         let coats: u32 = tiles.iter().map(|tile| tile.coats()).sum();
         let mut row = Self::empty(height);
         row.transitions = coats - 1;
@@ -91,13 +91,4 @@ impl StrandTile {
             self.copy(tile, index, stretch, stands(rank, strand.stands).map(|place| place as f32));
         }
     }
-}
-
-fn check_size(tiles: &[&StrandTile]) -> Result<(), StrandError> {
-    let asked: u64 = tiles.iter().map(|tile| tile.strand_count() as u64).sum();
-    if asked > MAX_STRANDS {
-        return Err(StrandError::TooManyStrands { asked, limit: MAX_STRANDS });
-    }
-    let asked: u64 = tiles.iter().map(|tile| tile.point_count() as u64).sum();
-    if asked > MAX_POINTS { Err(StrandError::TooManyPoints { asked, limit: MAX_POINTS }) } else { Ok(()) }
 }

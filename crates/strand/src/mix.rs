@@ -1,7 +1,7 @@
 //! Two tiles of hair in one: two coats of different types.
 
 use crate::error::StrandError;
-use crate::settings::{MAX_POINTS, MAX_STRANDS};
+use crate::settings::check_size;
 use crate::tile::StrandTile;
 
 /// The hairs of two tiles in one box as high as the higher: down of one type under guard hairs of another, or two types side by side.
@@ -41,7 +41,10 @@ pub fn mix(tiles: [&StrandTile; 2], shares: [f64; 2]) -> Result<StrandTile, Stra
             })
         })
         .collect();
-    check_size(&kept)?;
+    let points = |(tile, range): &(&StrandTile, std::ops::Range<usize>)| -> u64 {
+        u64::from(tile.offsets.get(range.end).copied().unwrap_or_default() - tile.offsets.get(range.start).copied().unwrap_or_default())
+    };
+    check_size(kept.iter().map(|(_, range)| range.len() as u64).sum(), kept.iter().map(points).sum())?;
     let box_of = |share_too: bool| {
         let high = tiles.into_iter().zip(shares).filter(|(tile, share)| !share_too || (*share > 0.0 && tile.strand_count() > 0));
         high.map(|(tile, _)| tile.height()).fold(0.0, f64::max)
@@ -53,16 +56,4 @@ pub fn mix(tiles: [&StrandTile; 2], shares: [f64; 2]) -> Result<StrandTile, Stra
     }
     both.set_populations(&kept.iter().map(|(_, range)| range.len() as u32).collect::<Vec<u32>>());
     Ok(both)
-}
-
-fn check_size(kept: &[(&StrandTile, std::ops::Range<usize>)]) -> Result<(), StrandError> {
-    let asked = kept.iter().map(|(_, range)| range.len() as u64).sum();
-    if asked > MAX_STRANDS {
-        return Err(StrandError::TooManyStrands { asked, limit: MAX_STRANDS });
-    }
-    let points = |(tile, range): &(&StrandTile, std::ops::Range<usize>)| -> u64 {
-        u64::from(tile.offsets.get(range.end).copied().unwrap_or_default() - tile.offsets.get(range.start).copied().unwrap_or_default())
-    };
-    let asked = kept.iter().map(points).sum();
-    if asked > MAX_POINTS { Err(StrandError::TooManyPoints { asked, limit: MAX_POINTS }) } else { Ok(()) }
 }

@@ -182,14 +182,14 @@ impl GrowSettings {
     }
 
     fn validate_size(&self) -> Result<(), StrandError> {
-        let asked = self.strand_count();
-        if asked > MAX_STRANDS {
-            return Err(StrandError::TooManyStrands { asked, limit: MAX_STRANDS });
-        }
-        let asked = asked * (u64::from(self.steps) + 1);
-        if asked > MAX_POINTS {
-            return Err(StrandError::TooManyPoints { asked, limit: MAX_POINTS });
-        }
-        Ok(())
+        check_size(self.strand_count(), self.strand_count() * (u64::from(self.steps) + 1))
     }
+}
+
+/// Whether a tile holds as many strands and points.
+pub(crate) fn check_size(strands: u64, points: u64) -> Result<(), StrandError> {
+    if strands > MAX_STRANDS {
+        return Err(StrandError::TooManyStrands { asked: strands, limit: MAX_STRANDS });
+    }
+    if points > MAX_POINTS { Err(StrandError::TooManyPoints { asked: points, limit: MAX_POINTS }) } else { Ok(()) }
 }

@@ -51,13 +51,10 @@ pub(super) fn mixtures<T>(
 }
 
 /// One that holds all of them; of one itself.
-pub(super) fn joined<T>(mut mixtures: Vec<T>, join: impl Fn(&[T]) -> Result<T, CoatError>) -> Result<T, NodeError> {
-    match (mixtures.len(), mixtures.pop()) {
-        (1, Some(one)) => Ok(one),
-        (_, last) => {
-            mixtures.extend(last);
-            Ok(join(&mixtures)?)
-        }
+pub(super) fn joined<T>(mixtures: Vec<T>, join: impl Fn(&[T]) -> Result<T, CoatError>) -> Result<T, NodeError> {
+    match <[T; 1]>::try_from(mixtures) {
+        Ok([one]) => Ok(one),
+        Err(all) => Ok(join(&all)?),
     }
 }
 

@@ -34,18 +34,18 @@ pub(crate) enum What {
 /// Makes the node reference and the tables of figures anew, what is asked for besides, and builds the book into `book/book`.
 pub(crate) fn run(place: &Place, what: Option<What>, sweeps: &[String]) -> Result<()> {
     nodes::write(place)?;
-    match what {
-        Some(What::Pictures) => pictures::draw(place).and_then(|()| plot::draw(place))?,
-        Some(What::Plots) => plot::draw(place)?,
-        Some(What::Sweeps) => sweeps::measure(place, sweeps)?,
-        Some(What::Extremes) => extremes::write(place)?,
-        Some(What::All) => {
-            pictures::draw(place)?;
-            plot::draw(place)?;
-            sweeps::measure(place, sweeps)?;
-            extremes::write(place)?;
-        }
-        None => {}
+    let wants = |one: &[What]| what.is_some_and(|what| what == What::All || one.contains(&what));
+    if wants(&[What::Pictures]) {
+        pictures::draw(place)?;
+    }
+    if wants(&[What::Pictures, What::Plots]) {
+        plot::draw(place)?;
+    }
+    if wants(&[What::Sweeps]) {
+        sweeps::measure(place, sweeps)?;
+    }
+    if wants(&[What::Extremes]) {
+        extremes::write(place)?;
     }
     tables::write(place)?;
     check_sources(place)?;
