@@ -20,6 +20,8 @@ use crate::vulkan;
 pub(crate) enum StepName {
     /// A loader and a driver, as half of the tests draw.
     Vulkan,
+    /// The lock files, that of the rivals too.
+    Locks,
     /// cargo fmt.
     Format,
     /// Who may know whom.
@@ -43,6 +45,7 @@ impl StepName {
     fn why(self) -> &'static str {
         match self {
             Self::Vulkan => "something to draw with, as the tests of pictures draw",
+            Self::Locks => "the same versions everywhere: what a crate asks for is in every lock file, the benchmarks' own too",
             Self::Format => "one layout of the code, so that a diff shows what changed and nothing else",
             Self::Layering => "data goes one way: no crate knows what is on its right",
             Self::Licences => "whoever takes a crate may combine it with what they have",
@@ -64,6 +67,10 @@ impl StepName {
         let cargo = |arguments: &str| CommandLine::cargo().with(arguments.split_whitespace()).within(place.root());
         match self {
             Self::Vulkan => vulkan::make_sure()?,
+            Self::Locks => {
+                cargo("fetch --quiet --locked").run()?;
+                cargo("fetch --quiet --locked --manifest-path tests/rivals/Cargo.toml").run()?;
+            }
             Self::Format => cargo("fmt --all --check").run()?,
             Self::Layering => layering::check(place)?,
             Self::Licences => licences::check(place)?,
@@ -133,7 +140,7 @@ mod tests {
     #[test]
     fn all_steps_run_by_default_and_the_tests_last() {
         let all = chosen(&[]);
-        assert_eq!(all.len(), 9);
+        assert_eq!(all.len(), 10);
         assert_eq!(all.first(), Some(&StepName::Vulkan));
         assert_eq!(all.last(), Some(&StepName::Tests));
     }
