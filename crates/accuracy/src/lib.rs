@@ -6,6 +6,7 @@
 //! - [`flip`]: the error a person would see when the two pictures alternate on a screen, 0 (none) to 1, per pixel, with mean,
 //!   99th percentile and maximum. Standard library code (`nv-flip`), not ours.
 //! - [`rmse_linear`]: root mean square error of linear light, for errors of energy that the eye forgives.
+//! - [`light_ratio`]: how bright one picture is beside the other as a whole.
 //! - [`silhouette`]: alpha across the reference's outline: whether the subject has grown, and whether its edge is softer.
 //! - [`heat_picture`], [`difference_picture`]: where it is.
 //! - [`field_error`], [`direction_error`]: of what comes before a picture, numbers and directions at places.
@@ -54,13 +55,13 @@ mod error;
 mod field;
 mod flip;
 mod image;
+mod light;
 mod mask;
 mod pareto;
 mod percentile;
 mod picture;
 #[cfg(feature = "plot")]
 mod plot;
-mod rmse;
 mod search;
 mod silhouette;
 mod sweep;
@@ -69,13 +70,13 @@ pub use error::AccuracyError;
 pub use field::{FieldError, direction_error, field_error};
 pub use flip::{DEFAULT_PIXELS_PER_DEGREE, ErrorMap, FlipReport, PIXELS_PER_DEGREE_RANGE, flip};
 pub use image::{Image, MAX_PIXELS};
+pub use light::{light_ratio, linear_light, rmse_linear};
 pub use mask::{dilate, union, unlike_background};
 pub use pareto::{pareto_front, unbeaten};
 pub use percentile::percentile;
 pub use picture::{difference_picture, heat_picture};
 #[cfg(feature = "plot")]
 pub use plot::Panel;
-pub use rmse::{linear_light, rmse_linear};
 pub use search::{Found, Goal, MAX_SETTINGS, SearchError, Trial, search};
 pub use silhouette::{ProfileBin, Silhouette, silhouette};
 pub use sweep::{Column, Group, Row, Sweep};

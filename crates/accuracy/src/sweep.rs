@@ -69,6 +69,20 @@ pub struct Group {
     pub rows: Vec<usize>,
 }
 
+impl Group {
+    /// Rows that have equal names are of one group; groups stand in the order in which the first row of each comes.
+    pub fn of(names: impl IntoIterator<Item = String>) -> Vec<Self> {
+        let mut groups: Vec<Self> = Vec::new();
+        for (row, name) in names.into_iter().enumerate() {
+            match groups.iter_mut().find(|group| group.name == name) {
+                Some(group) => group.rows.push(row),
+                None => groups.push(Self { name, rows: vec![row] }),
+            }
+        }
+        groups
+    }
+}
+
 impl Sweep {
     /// Where a column is.
     ///
@@ -100,15 +114,8 @@ impl Sweep {
     pub fn groups(&self, by: &[String]) -> Result<Vec<Group>, AccuracyError> {
         self.check_rows()?;
         let picks = by.iter().map(|name| self.varied_index(name)).collect::<Result<Vec<usize>, _>>()?;
-        let mut groups: Vec<Group> = Vec::new();
-        for (index, row) in self.rows.iter().enumerate() {
-            let name = picks.iter().map(|&pick| row.settings[pick].as_str()).collect::<Vec<_>>().join(", ");
-            match groups.iter_mut().find(|group| group.name == name) {
-                Some(group) => group.rows.push(index),
-                None => groups.push(Group { name, rows: vec![index] }),
-            }
-        }
-        Ok(groups)
+        let name = |row: &Row| picks.iter().map(|&pick| row.settings[pick].as_str()).collect::<Vec<_>>().join(", ");
+        Ok(Group::of(self.rows.iter().map(name)))
     }
 
     fn check_rows(&self) -> Result<(), AccuracyError> {

@@ -51,13 +51,11 @@ impl Render {
         self.apply_options(&mut graph, &registry, &output)?;
         let checked = graph.check(&registry).map_err(|faults| faults.with_path(&self.graph))?;
         let progress = self.running.progress();
-        if self.stats.is_some() && !makes_pictures(&registry, &graph, &output) {
-            return Err(Failure::Input(format!("--stats: {output} is no picture; ask for an output of a RenderImage node")));
-        }
-        let frame = format!("{}.frame", node_of(&output));
+        // A picture that is put together of others has no frame of its own to report on.
+        let frame = Some(format!("{}.frame", node_of(&output))).filter(|_| makes_pictures(&registry, &graph, &output));
         let mut request = Request::output(&output).with_observer(progress.clone());
         if self.stats.is_some() {
-            request = request.and_output(&frame).with_all_values();
+            request = frame.iter().fold(request, |request, frame| request.and_output(frame)).with_all_values();
         }
         if self.stats.is_some() || self.running.verbose {
             for report in reports_behind(&checked, &output) {
@@ -70,8 +68,8 @@ impl Render {
         write_file(&self.out, &png(&picture)?)?;
         match &self.stats {
             Some(path) => {
-                let report = evaluation.get::<FrameReport>(&frame)?;
-                write_file(path, self.figures(&evaluation, &picture, &report).to_json().as_bytes())
+                let report = frame.map(|frame| evaluation.get::<FrameReport>(&frame)).transpose()?;
+                write_file(path, self.figures(&evaluation, &picture, report.as_deref()).to_json().as_bytes())
             }
             None => Ok(()),
         }
@@ -111,10 +109,12 @@ impl Render {
         Ok(())
     }
 
-    fn figures(&self, evaluation: &Evaluation, picture: &Picture, report: &FrameReport) -> Stats {
+    fn figures(&self, evaluation: &Evaluation, picture: &Picture, report: Option<&FrameReport>) -> Stats {
         let mut stats = Stats::of(evaluation);
         stats.insert("graph", json!(self.graph.display().to_string()));
-        stats.insert_frame(report);
+        if let Some(report) = report {
+            stats.insert_frame(report);
+        }
         stats.insert("image_hash", json!(blake3::hash(&picture.rgba).to_hex().as_str()));
         stats
     }

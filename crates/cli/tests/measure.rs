@@ -205,8 +205,10 @@ fn each_setting_may_have_a_truth_of_its_own() {
 fn each_case_has_a_truth_of_its_own_and_competes_with_itself() {
     let folder = folder();
     let sweep = r#"Sweep(title: "cases", graph: "fur.ron", against: Output("truth.image"), rounds: 2, finest: { "truth.samples": 16 }, set: { "picture.samples": 1 },
-        cases: { "model": { "ball": {}, "turned": { "camera.azimuth": 90.0 } }, "hair": { "short": { "coat.length": 0.03 }, "long": {} } },
+        cases: { "model": { "ball": {}, "turned": { "camera.azimuth": 90.0 } } }, cases_of: "shared/hair.ron",
         vary: { "shells.layers": [8, 2] })"#;
+    std::fs::create_dir(folder.path().join("shared")).unwrap();
+    std::fs::write(folder.path().join("shared/hair.ron"), r#"{ "hair": { "short": { "coat.length": 0.03 }, "long": {} } }"#).unwrap();
     std::fs::write(folder.path().join("cases.ron"), sweep).unwrap();
     let (code, _, error) = measure(folder.path(), &["--sweep", "cases.ron", "-q", "-o", "out"]);
     assert_eq!(code, 0, "{error}");
@@ -240,12 +242,36 @@ fn each_case_has_a_truth_of_its_own_and_competes_with_itself() {
 }
 
 #[test]
+fn a_fingerprint_is_of_all_that_is_measured_and_of_nothing_else() {
+    let folder = folder();
+    let vary = ["--vary", "shells.layers=2,4"];
+    let print = |more: &[&str]| {
+        let (code, out, error) = measure(folder.path(), &[&["fur.ron", "--fingerprint"], &vary[..], more].concat());
+        assert_eq!(code, 0, "{error}");
+        out.trim().to_owned()
+    };
+    let first = print(&[]);
+    assert_eq!(print(&["--rounds", "3"]), first, "times are no part of it");
+    assert_ne!(print(&["--set", "coat.length=0.05"]), first);
+    assert_ne!(print(&["--against", "truth.image"]), first);
+    assert_eq!(print(&["--set", "truth.samples=3"]), first, "what nobody measures against");
+    assert_ne!(print(&["--against", "truth.image", "--set", "truth.samples=3"]), print(&["--against", "truth.image"]));
+    let text = read(folder.path(), "fur.ron");
+    std::fs::write(folder.path().join("fur.ron"), format!("// A remark.\n{}", text.replace("\"ball", "\"round"))).unwrap();
+    assert_eq!(print(&[]), first, "names and remarks are no part of it");
+    let (code, _, error) = measure(folder.path(), &[&["fur.ron"], &vary[..], &["--rounds", "1", "-q", "-o", "out"]].concat());
+    assert_eq!(code, 0, "{error}");
+    assert_eq!(table(folder.path(), "out/sweep.json")["fingerprint"], first.as_str());
+}
+
+#[test]
 fn what_cannot_be_measured_is_said_and_nothing_written() {
     let folder = folder();
     std::fs::write(folder.path().join("file"), "as before").unwrap();
     std::fs::write(folder.path().join("wrong.ron"), "Sweep(graph: \"fur.ron\",\n  vry: {})").unwrap();
     std::fs::write(folder.path().join("empty.ron"), "Sweep(graph: \"fur.ron\", vary: { \"shells.layers\": [] })").unwrap();
     std::fs::write(folder.path().join("caseless.ron"), "Sweep(graph: \"fur.ron\", cases: { \"model\": {} })").unwrap();
+    std::fs::write(folder.path().join("elsewhere.ron"), "Sweep(graph: \"fur.ron\", cases_of: \"nowhere.ron\")").unwrap();
     std::fs::write(
         folder.path().join("case.ron"),
         "Sweep(graph: \"fur.ron\", cases: { \"model\": { \"a\": {}, \"b\": { \"coat.size\": 1 } } })",
@@ -270,6 +296,7 @@ fn what_cannot_be_measured_is_said_and_nothing_written() {
         (&["--sweep", "wrong.ron"], 1, "wrong.ron:2:"),
         (&["--sweep", "empty.ron"], 2, "no values"),
         (&["--sweep", "none.ron"], 1, "none.ron"),
+        (&["--sweep", "elsewhere.ron"], 1, "nowhere.ron"),
         (&["fur.ron", "--vary", "shells.layers=1,2", "--against", "coat.fur"], 1, "no picture to measure against"),
         (&["fur.ron", "--vary", "shells.layers=1,2", "--output", "truth.image"], 1, "is not drawn"),
         (&["fur.ron", "--vary", "shells.layers=1,2", "--finest", "shells.layers=many"], 1, "many"),
@@ -285,7 +312,7 @@ fn what_cannot_be_measured_is_said_and_nothing_written() {
     let (code, _, error) = measure(folder.path(), &["fur.ron", "--vary", "shells.layers=1,2", "-o", "file"]);
     assert!(code == 2 && error.contains("name a folder"), "{error}");
     assert_eq!(read(folder.path(), "file"), "as before");
-    assert_eq!(std::fs::read_dir(folder.path()).unwrap().count(), 6, "something was left behind");
+    assert_eq!(std::fs::read_dir(folder.path()).unwrap().count(), 7, "something was left behind");
 }
 
 #[test]
@@ -295,6 +322,9 @@ fn every_saved_sweep_names_a_graph_and_inputs_that_there_are() {
     let mut count = 0;
     for entry in std::fs::read_dir(sweeps).unwrap() {
         let path = entry.unwrap().path();
+        if path.extension().is_none_or(|extension| extension != "ron") {
+            continue;
+        }
         // What cannot be measured against is said after all else has been checked, and before anything is evaluated.
         let (code, _, error) = measure(folder.path(), &["--sweep", path.to_str().unwrap(), "--against", "no.picture", "-o", "out"]);
         assert!(code == 1 && error.contains("no.picture is no picture to measure against"), "{}: {error}", path.display());

@@ -226,7 +226,7 @@ fn files_that_cannot_be_what_they_are_asked_to_be_are_refused() {
     assert_eq!(run(&["render", &graph, "-o", &out, "--stats", &out]).0, 2);
     let (code, _, error) = run(&["render", &graph, "-o", &out, "--output", "coat.fur", "--stats", "x.json"]);
     assert_eq!(code, 1);
-    assert!(error.contains("no picture"), "{error}");
+    assert!(error.contains("Coat, not Picture"), "{error}");
     let (code, _, error) = run(&["render", &graph, "-o", &out, "--output", "coat.fur"]);
     assert_eq!(code, 1);
     assert!(error.contains("Coat, not Picture"), "{error}");

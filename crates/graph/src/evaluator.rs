@@ -114,7 +114,7 @@ impl Evaluator {
 }
 
 /// The outputs asked for.
-fn asked(graph: &CheckedGraph, request: &Request) -> Result<Vec<Asked>, EvaluateError> {
+pub(crate) fn asked(graph: &CheckedGraph, request: &Request) -> Result<Vec<Asked>, EvaluateError> {
     if request.outputs.is_empty() {
         return graph.main.map(|source| vec![Asked { source, whole: true }]).ok_or(EvaluateError::NoMainOutput);
     }

@@ -116,6 +116,7 @@ mod evaluation;
 mod evaluator;
 mod fault;
 mod files;
+mod foreseen;
 mod graph;
 mod key;
 mod literal;

@@ -92,16 +92,29 @@ pub(crate) fn plan(
     cache: &mut Cache,
     context: &mut ContextOf<'_>,
 ) -> Result<Plan, Vec<NodeFailure>> {
-    let known: Vec<Fields<'_>> = graph.nodes.iter().map(|node| known_fields(node, &graph.directory)).collect();
-    let demands = demands(graph, &known, asked);
-    let keys = keys(graph, &known, &demands, context)?;
-    // What is made of a port is what all want of it together.
-    let keys = keys.into_iter().map(|ports| ports.into_iter().map(|keys| keys.last().copied()).collect()).collect();
+    let (demands, keys) = demanded(graph, asked, context)?;
     let mut plan = steps(graph, asked, demands, keys, cache);
     for make in plan.steps.iter_mut().flat_map(|step| &mut step.make) {
         make.age = cache.next_age();
     }
     Ok(plan)
+}
+
+/// The keys of all ports that the making of `asked` would have.
+///
+/// Errors: those of [`plan`].
+pub(crate) fn output_keys(graph: &CheckedGraph, asked: &[Asked], context: &mut ContextOf<'_>) -> Result<Keys, Vec<NodeFailure>> {
+    demanded(graph, asked, context).map(|(_, keys)| keys)
+}
+
+/// What is asked of every port, and the keys of what is.
+fn demanded(graph: &CheckedGraph, asked: &[Asked], context: &mut ContextOf<'_>) -> Result<(AllDemands, Keys), Vec<NodeFailure>> {
+    let known: Vec<Fields<'_>> = graph.nodes.iter().map(|node| known_fields(node, &graph.directory)).collect();
+    let demands = demands(graph, &known, asked);
+    let keys = keys(graph, &known, &demands, context)?;
+    // What is made of a port is what all want of it together.
+    let keys = keys.into_iter().map(|ports| ports.into_iter().map(|keys| keys.last().copied()).collect()).collect();
+    Ok((demands, keys))
 }
 
 /// Forth: the keys of every wanted port.

@@ -56,7 +56,7 @@ mod stats;
 mod turns;
 
 #[cfg(feature = "gpu")]
-pub use budget::{Budget, FrameCost, FrameLimit, Quality, TableError};
+pub use budget::{Budget, FrameCost, FrameLimit, OtherCoatError, Quality, TableError, TableRow};
 pub use coat::{LayFur, LengthsAs, SlantAs};
 pub use comb::{CombStroke, CombStrokes, CombTool, StrokePath};
 pub use creature::{Animal, BodyPart, CreatureNode, PartFields, PartFur};

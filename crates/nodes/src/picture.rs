@@ -282,6 +282,9 @@ impl Evaluate for RenderImage {
             budget.apply(&mut view.options);
         }
         let picture = offscreen.render(&coat, &view, &background)?;
+        if let Some(budget) = self.budget.as_ref().filter(|_| self.shells) {
+            budget.check(picture.frame.shells_drawn)?;
+        }
         let measured = cx.wants("frame") && self.repeat > 0;
         let times = if measured { Some(offscreen.time(&coat, &view, &background, self.repeat)?) } else { None };
         let adapter = gpu.headless().summary().clone();

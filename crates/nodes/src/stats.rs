@@ -33,6 +33,12 @@ impl Stats {
             let crate::CurlReport { share, texels, layers } = *curls;
             stats.insert("curls".into(), json!({ "share": share, "texels": texels, "layers_a_turn": layers, "warning": curls.warning() }));
         }
+        #[cfg(feature = "gpu")]
+        let budgets = budgets(evaluation);
+        #[cfg(feature = "gpu")]
+        if !budgets.is_empty() {
+            stats.insert("budgets".into(), Value::Object(budgets));
+        }
         Self(stats)
     }
 
@@ -95,6 +101,19 @@ impl Found {
 pub fn warnings(evaluation: &Evaluation) -> Vec<String> {
     let curls = evaluation.values().filter_map(|(node, _, value)| Some((node, value.downcast::<crate::CurlReport>()?.warning()?)));
     curls.map(|(node, warning)| format!("{node}: {warning}")).collect()
+}
+
+#[cfg(feature = "gpu")]
+/// By node, the row of its table that a budget draws by.
+fn budgets(evaluation: &Evaluation) -> Map<String, Value> {
+    let row = |(node, _, value): (&pelage_graph::NodeId, &str, &pelage_graph::Value)| {
+        let row = value.downcast::<crate::Quality>()?.row?;
+        Some((
+            node.to_string(),
+            json!({ "line": row.line, "margin": row.margin, "cost": row.cost, "flip_mean": row.error, "shells": row.shells }),
+        ))
+    };
+    evaluation.values().filter_map(row).collect()
 }
 
 fn trace(evaluation: &Evaluation) -> Value {

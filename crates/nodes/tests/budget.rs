@@ -6,7 +6,7 @@ use std::path::Path;
 use std::sync::Arc;
 
 use pelage_graph::{Graph, Request};
-use pelage_nodes::{FrameReport, LightingAt, Picture, Quality, ShellDetail, TableAxis};
+use pelage_nodes::{FrameReport, LightingAt, Picture, Quality, ShellDetail, TableAxis, TableRow};
 
 /// Two distances; the further away, the less a coarse level errs. What does not matter may be empty.
 const TABLE: &str = "\
@@ -48,7 +48,8 @@ fn it_is_the_cheapest_within_an_error_or_else_what_errs_least() {
     assert_eq!(spacing("MaxError(flip: 0.09)", "1.0"), 0.0);
     assert_eq!(spacing("MaxError(flip: 0.01)", "1.0"), 0.0, "none is within it");
     let fine = decided(TABLE, "MaxError(flip: 0.01)", "1.0").unwrap();
-    assert_eq!(fine, Quality { detail: Some(ShellDetail::Spacing { pixels: 0.0 }), fins: Some(true), ..Quality::default() });
+    let row = Some(TableRow { line: 4, margin: 1.0, cost: 4.0, error: 0.02, shells: None });
+    assert_eq!(fine, Quality { detail: Some(ShellDetail::Spacing { pixels: 0.0 }), fins: Some(true), row, ..Quality::default() });
 }
 
 #[test]
@@ -91,6 +92,7 @@ fn values_are_read_as_a_graph_reads_them() {
         march_steps: Some(3),
         hair_shadow: Some(0.5),
         anisotropy: Some(4),
+        row: Some(TableRow { line: 2, margin: 1.0, cost: 1.5, error: 0.1, shells: None }),
     };
     assert_eq!(quality, expected);
 }
@@ -136,8 +138,14 @@ fn what_is_wrong_with_a_table_is_said_with_line_and_column() {
 
 /// A picture of a little ball, with what its node is told; the table says that fins are drawn, and by levels of detail.
 fn drawn(picture: &str) -> (Arc<Picture>, Arc<FrameReport>) {
+    drawn_by("", picture).unwrap()
+}
+
+/// The same where the table says how many shells were drawn, or what is wrong.
+fn drawn_by(shells: &str, picture: &str) -> Result<(Arc<Picture>, Arc<FrameReport>), String> {
     let folder = tempfile::tempdir().unwrap();
-    let table = "camera.margin,picture.detail,picture.fins,picture.lighting,ms_min,flip_mean\n0.9,Level(level: 1.0),true,Pixels,1,0\n";
+    let head = "camera.margin,picture.detail,picture.fins,picture.lighting,shells,ms_min,flip_mean";
+    let table = format!("{head}\n0.9,Level(level: 1.0),true,Pixels,{shells},1,0\n");
     std::fs::write(folder.path().join("table.csv"), table).unwrap();
     let text = format!(
         r#"Graph(version: 1, output: "picture.image", nodes: {{
@@ -151,8 +159,19 @@ fn drawn(picture: &str) -> (Arc<Picture>, Arc<FrameReport>) {
     );
     let graph = Graph::parse(&text).unwrap().with_directory(Path::new(folder.path())).check(&pelage_nodes::registry()).unwrap();
     let request = Request::output("picture.image").and_output("picture.frame");
-    let evaluation = pelage_nodes::evaluator(0).run(&graph, &request).unwrap();
-    (evaluation.get("picture.image").unwrap(), evaluation.get("picture.frame").unwrap())
+    let evaluation = pelage_nodes::evaluator(0).run(&graph, &request).map_err(|error| error.to_string())?;
+    Ok((evaluation.get("picture.image").unwrap(), evaluation.get("picture.frame").unwrap()))
+}
+
+/// Eight layers are seven shells beside the skin, and three at the next level.
+#[test]
+fn a_table_of_another_coat_is_refused() {
+    let budgeted = "budget: \"budget.quality\"";
+    assert!(drawn_by("3", budgeted).is_ok());
+    let error = drawn_by("15", budgeted).unwrap_err();
+    assert!(error.contains("table, line 2, is of 15 shells at this level of detail, and this coat has 3 there"), "{error}");
+    // Where no shells are drawn there is nothing to compare.
+    assert!(drawn_by("15", &format!("{budgeted}, shells: false")).is_ok());
 }
 
 /// What the node itself says would have left out fins, levels and the direction map before the coat was made.

@@ -37,6 +37,9 @@ pub(crate) struct Description {
 /// Cases by name, and what each sets.
 pub(crate) type Axis = IndexMap<String, IndexMap<String, String>>;
 
+/// Cases as they are in a file.
+type SavedCases = IndexMap<String, IndexMap<String, IndexMap<String, Box<RawValue>>>>;
+
 /// The file: `Sweep(graph: …, vary: { "node.input": [ … ] … })`.
 #[derive(Deserialize)]
 #[serde(rename = "Sweep", deny_unknown_fields)]
@@ -57,7 +60,9 @@ struct Saved {
     #[serde(default)]
     set: IndexMap<String, Box<RawValue>>,
     #[serde(default)]
-    cases: IndexMap<String, IndexMap<String, IndexMap<String, Box<RawValue>>>>,
+    cases: SavedCases,
+    #[serde(default)]
+    cases_of: Option<PathBuf>,
     #[serde(default)]
     vary: IndexMap<String, Vec<Box<RawValue>>>,
     #[serde(default)]
@@ -93,13 +98,14 @@ impl Description {
 
     /// Reads a saved sweep; paths in it are relative to its folder.
     pub(crate) fn read(path: &Path) -> Result<Self, Failure> {
-        let text = std::fs::read_to_string(path).map_err(|error| Failure::input(path.display(), &error))?;
-        let options = ron::Options::default().with_default_extension(ron::extensions::Extensions::IMPLICIT_SOME);
-        let saved: Saved = options.from_str(&text).map_err(|error| {
-            let start = error.span.start;
-            Failure::Input(format!("{}:{}:{}: {}", path.display(), start.line, start.col, error.code))
-        })?;
+        let text = read(path)?;
+        let mut saved: Saved = parsed(path, &text)?;
         let directory = path.parent().unwrap_or(Path::new("")).to_owned();
+        if let Some(file) = &saved.cases_of {
+            let file = directory.join(file);
+            let shared: SavedCases = parsed(&file, &read(&file)?)?;
+            saved.cases.extend(shared);
+        }
         let text = |raw: &RawValue| raw.trim().get_ron().to_owned();
         let texts = |map: IndexMap<String, Box<RawValue>>| -> IndexMap<String, String> {
             map.into_iter().map(|(target, raw)| (target, text(&raw))).collect()
@@ -126,6 +132,19 @@ impl Description {
             directory,
         })
     }
+}
+
+fn read(path: &Path) -> Result<String, Failure> {
+    std::fs::read_to_string(path).map_err(|error| Failure::input(path.display(), &error))
+}
+
+/// What a file says, or where it does not.
+fn parsed<T: serde::de::DeserializeOwned>(path: &Path, text: &str) -> Result<T, Failure> {
+    let options = ron::Options::default().with_default_extension(ron::extensions::Extensions::IMPLICIT_SOME);
+    options.from_str(text).map_err(|error| {
+        let start = error.span.start;
+        Failure::Input(format!("{}:{}:{}: {}", path.display(), start.line, start.col, error.code))
+    })
 }
 
 /// The values of each `--vary NODE.INPUT=a,b,c`, in order.

@@ -1,7 +1,7 @@
 //! How far a picture is from the one it should be.
 
 use pelage_accuracy::{
-    AccuracyError, DEFAULT_PIXELS_PER_DEGREE, Image, ProfileBin, dilate, flip, heat_picture, rmse_linear, silhouette, union,
+    AccuracyError, DEFAULT_PIXELS_PER_DEGREE, Image, ProfileBin, dilate, flip, heat_picture, light_ratio, rmse_linear, silhouette, union,
 };
 use pelage_nodes::Picture;
 
@@ -13,6 +13,7 @@ pub(crate) struct Errors {
     pub(crate) flip_mean: f64,
     pub(crate) flip_p99: f64,
     pub(crate) rmse_linear: f64,
+    pub(crate) light: f64,
     /// NaN, as the two that follow, where the reference has no outline in the picture.
     pub(crate) outline_shift: f64,
     pub(crate) outline_rms: f64,
@@ -42,6 +43,7 @@ impl Errors {
             flip_mean: seen.mean,
             flip_p99: seen.p99,
             rmse_linear: rmse_linear(a, b, Some(&mask))?,
+            light: light_ratio(a, b, Some(&mask))?,
             outline_shift: of_outline(|outline| outline.shift),
             outline_rms: of_outline(|outline| outline.rms),
             alpha_bias: of_outline(|outline| outline.bias),

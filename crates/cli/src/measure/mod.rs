@@ -59,8 +59,11 @@ pub(crate) struct Measure {
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=100_000))]
     rounds: Option<u32>,
     /// The folder to write sweep.csv, sweep.json, sweep.svg and sheet.png to.
-    #[arg(short, long = "out", value_name = "DIR")]
-    out: PathBuf,
+    #[arg(short, long = "out", value_name = "DIR", required_unless_present = "fingerprint")]
+    out: Option<PathBuf>,
+    /// Measure nothing: print one word that stands for all that would be measured, as sweep.json has it. Another word: the figures are out of date.
+    #[arg(long, conflicts_with = "out")]
+    fingerprint: bool,
     #[command(flatten)]
     running: Running,
     #[command(flatten)]
@@ -69,19 +72,20 @@ pub(crate) struct Measure {
 
 impl Measure {
     pub(crate) fn run(&self) -> Result<(), Failure> {
-        if self.out.exists() && !self.out.is_dir() {
-            return Err(Failure::Usage(format!("-o {}: that is a file; name a folder", self.out.display())));
+        if let Some(out) = self.out.as_ref().filter(|out| out.exists() && !out.is_dir()) {
+            return Err(Failure::Usage(format!("-o {}: that is a file; name a folder", out.display())));
         }
-        let mut engine = Engine::new(&self.running);
         let description = self.description()?;
         let rounds = self.rounds.or(description.rounds).unwrap_or(ROUNDS).max(1);
         let plan = Plan::new(&description, &self.overrides, self.size, MOST_SETTINGS)?;
+        let Some(out) = &self.out else { return crate::output::print(&format!("{}\n", plan.fingerprint()?)) };
+        let mut engine = Engine::new(&self.running);
         let measured = run::measure(&plan, &mut engine, rounds)?;
         let results = Results::new(&description, &plan, &measured, rounds);
         if !self.running.quiet {
             crate::output::print(&results.to_table())?;
         }
-        results.write(&self.out, sheet::draw(&measured)?)
+        results.write(out, sheet::draw(&measured)?)
     }
 
     /// The saved sweep, or none, with what the command line says.

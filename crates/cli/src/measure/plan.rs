@@ -3,7 +3,8 @@
 use std::path::Path;
 
 use indexmap::IndexMap;
-use pelage_graph::{CheckedGraph, Graph, Registry};
+use pelage_accuracy::Group;
+use pelage_graph::{CheckedGraph, Graph, Registry, Request};
 use pelage_nodes::{Quality, fur_of};
 
 use super::description::Description;
@@ -143,14 +144,28 @@ impl Plan {
     }
 
     /// The settings that compete, group by group.
-    pub(crate) fn groups(&self) -> Vec<Vec<usize>> {
+    pub(crate) fn groups(&self) -> Vec<Group> {
         let picks: Vec<usize> = self.grouped_by.iter().filter_map(|name| self.varied.iter().position(|varied| varied == name)).collect();
-        let key = |setting: &Setting| picks.iter().map(|&pick| setting.values[pick].clone()).collect::<Vec<String>>();
-        let mut groups: IndexMap<Vec<String>, Vec<usize>> = IndexMap::new();
-        for (index, setting) in self.settings.iter().enumerate() {
-            groups.entry(key(setting)).or_default().push(index);
+        let name = |setting: &Setting| picks.iter().map(|&pick| setting.values[pick].as_str()).collect::<Vec<_>>().join(", ");
+        Group::of(self.settings.iter().map(name))
+    }
+
+    /// What all settings, and what they are measured against, depend on, as one hash: where it is another, figures that were measured before are out of date. It knows versions of nodes, values
+    /// and the content of files, and neither ids nor adapter.
+    pub(crate) fn fingerprint(&self) -> Result<String, Failure> {
+        let mut hasher = blake3::Hasher::new();
+        for setting in &self.settings {
+            for text in self.varied.iter().chain(&setting.values) {
+                hasher.update(text.as_bytes()).update(&[0]);
+            }
+            let reference = &self.references[setting.reference];
+            for (graph, output) in [(&setting.graph, &self.output), (reference, &self.against)] {
+                for key in graph.keys_of(&Request::output(output))? {
+                    hasher.update(key.to_string().as_bytes());
+                }
+            }
         }
-        groups.into_values().collect()
+        Ok(hasher.finalize().to_hex()[..16].to_owned())
     }
 
     /// That there is a picture to measure against.
@@ -184,7 +199,8 @@ fn in_vary(failure: Failure) -> Failure {
     prefixed("--vary ", failure)
 }
 
-fn prefixed(what: &str, failure: Failure) -> Failure {
+/// The failure, saying what of.
+pub(crate) fn prefixed(what: &str, failure: Failure) -> Failure {
     match failure {
         Failure::Input(message) => Failure::Input(format!("{what}{message}")),
         other => other,

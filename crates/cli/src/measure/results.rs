@@ -31,6 +31,7 @@ const MEASURES: &[Measure] = &[
     ("flip_mean", "0 to 1", 5, |one| one.errors.flip_mean),
     ("flip_p99", "0 to 1", 5, |one| one.errors.flip_p99),
     ("rmse_linear", "0 to 1, linear light", 5, |one| one.errors.rmse_linear),
+    ("light", "of the light that should be", 4, |one| one.errors.light),
     ("outline_shift", "pixels outwards", 3, |one| one.errors.outline_shift),
     ("outline_rms", "alpha", 5, |one| one.errors.outline_rms),
     ("alpha_bias", "alpha", 5, |one| one.errors.alpha_bias),
@@ -68,11 +69,21 @@ impl Results {
 
     /// For a person: Markdown.
     pub(crate) fn to_table(&self) -> String {
-        let columns: Vec<usize> =
-            ["shells", "fragments", "texture_bytes", "ms_min", "ms_ratio", "flip_mean", "flip_p99", "rmse_linear", "outline_shift"]
-                .iter()
-                .filter_map(|name| self.sweep.column(name).ok())
-                .collect();
+        let columns: Vec<usize> = [
+            "shells",
+            "fragments",
+            "texture_bytes",
+            "ms_min",
+            "ms_ratio",
+            "flip_mean",
+            "flip_p99",
+            "rmse_linear",
+            "light",
+            "outline_shift",
+        ]
+        .iter()
+        .filter_map(|name| self.sweep.column(name).ok())
+        .collect();
         let line = |cells: Vec<String>| format!("| {} |\n", cells.join(" | "));
         let names = columns.iter().map(|&column| self.sweep.columns[column].name.clone());
         let heads: Vec<String> = self.sweep.varied.iter().cloned().chain(names).collect();
@@ -122,7 +133,7 @@ fn about(description: &Description, plan: &Plan, measured: &Measured, rounds: u3
         "pelage": env!("CARGO_PKG_VERSION"), "title": description.title, "graph": description.graph.display().to_string(),
         "output": plan.output, "against": plan.against, "finest": description.finest, "each": description.each, "set": description.set,
         "cases": description.cases,
-        "rounds": rounds,
+        "rounds": rounds, "fingerprint": measured.fingerprint,
     });
     if let Some(one) = measured.settings.first() {
         let report = one.contender.report();

@@ -18,6 +18,8 @@ pub(crate) struct Measured {
     pub(crate) times: Vec<[f64; 3]>,
     /// Whether all were measured against one picture.
     pub(crate) one_reference: bool,
+    /// Of all that was measured.
+    pub(crate) fingerprint: String,
 }
 
 /// One setting's picture, what it was measured against, and the errors.
@@ -50,7 +52,7 @@ pub(crate) fn measure(plan: &Plan, engine: &mut Engine<'_>, rounds: u32) -> Resu
         Ok(MeasuredSetting { picture, reference, contender, errors })
     };
     let settings = drawn.into_par_iter().enumerate().map(measured).collect::<Result<Vec<_>, Failure>>()?;
-    Ok(Measured { settings, times, one_reference: plan.references.len() == 1 })
+    Ok(Measured { settings, times, one_reference: plan.references.len() == 1, fingerprint: plan.fingerprint()? })
 }
 
 /// Times of all settings, those of a group in turn; only a group's coats are on the device at once.
@@ -58,9 +60,9 @@ fn times(plan: &Plan, contenders: &[Contender], rounds: u32) -> Result<Vec<[f64;
     let gpu = Gpu::new().map_err(|error| Failure::Input(error.to_string()))?;
     let mut times = vec![[f64::NAN; 3]; contenders.len()];
     for group in plan.groups() {
-        let own: Vec<Contender> = group.iter().map(|&index| contenders[index].clone()).collect();
+        let own: Vec<Contender> = group.rows.iter().map(|&index| contenders[index].clone()).collect();
         let rounds = time_in_turn(&gpu, &own, rounds).map_err(|error| Failure::input("timing", &error))?;
-        for (place, &index) in group.iter().enumerate() {
+        for (place, &index) in group.rows.iter().enumerate() {
             times[index] = times_of(&rounds, place);
         }
     }

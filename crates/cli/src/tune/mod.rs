@@ -19,7 +19,7 @@ use crate::output::{print, write_file};
 use crate::render::size;
 use crate::running::Running;
 use report::Report;
-use sought::{Sought, number, timed_again};
+use sought::{CONFIRMATIONS, Sought, confirmed, number, timed_again};
 use trial::Bench;
 
 /// The most settings that are checked and searched.
@@ -61,7 +61,7 @@ pub(crate) struct Tune {
     /// Which output to tune, when there are several: one of a RenderImage node.
     #[arg(long, value_name = "NODE.PORT")]
     output: Option<String>,
-    /// Pixels of the pictures while they are compared, instead of the graph's; the graph that is written keeps its own.
+    /// Pixels of the pictures while settings are searched, instead of the graph's. The limit stays that of the graph's own size, at which the chosen is measured before it is written.
     #[arg(long, value_name = "WxH", value_parser = size)]
     size: Option<(u32, u32)>,
     /// How many settings are evaluated at the most.
@@ -92,26 +92,57 @@ pub(crate) enum Cost {
 
 impl Tune {
     pub(crate) fn run(&self) -> Result<(), Failure> {
-        if self.out.is_dir() {
-            return Err(Failure::Usage(format!("-o {}: that is a folder; name a file", self.out.display())));
-        }
-        let engine = Engine::new(&self.running);
+        self.check_out()?;
         let (goal, cost) = self.goal()?;
         let description = self.description()?;
         let plan = Plan::new(&description, &self.overrides, self.size, MOST_SETTINGS)?;
+        let own_plan = self.size.map(|_| Plan::new(&description, &self.overrides, None, MOST_SETTINGS)).transpose()?;
         let counts: Vec<usize> = description.vary.values().map(Vec::len).collect();
-        let mut bench = Bench::new(&plan, cost, engine, self.rounds)?;
-        let sought = self.seek(goal, &counts, &mut bench)?;
-        let sought = if cost == Cost::Ms { timed_again(goal, sought, &counts, |numbers| bench.time_again(numbers))? } else { sought };
-        let (report, number) = (Report::new(&plan, cost, bench.tried()), number(&counts, &sought.trial.setting));
+        let most = plan.settings.len().min(self.evaluations as usize);
+        let mut bench = Bench::new(&plan, cost, Engine::new(&self.running), self.rounds, most)?;
+        let at_own_size = |plan| Bench::new(plan, cost, Engine::new(&self.running), self.rounds, CONFIRMATIONS);
+        let mut own = own_plan.as_ref().map(at_own_size).transpose()?;
+        let sought = match &mut own {
+            None => self.settle(goal, cost, &counts, &mut bench)?,
+            Some(own) => {
+                let sought = |goal, bench: &mut Bench<'_>| self.settle(goal, cost, &counts, bench);
+                confirmed(goal, &counts, &mut bench, own, sought)?
+            }
+        };
+        let number = number(&counts, &sought.trial.setting);
+        let report = Report::new(&plan, cost, &bench);
         if !sought.met {
             return Err(self.out_of_reach(&report, goal, &sought, &plan.settings[number].values));
         }
         let text = self.tuned(&description, &plan, number)?;
         if !self.running.quiet {
-            print(&report.to_text(number, sought.settled))?;
+            let own = own.as_ref().and_then(|own| Some((&own.tried().iter().find(|one| one.number == number)?.worth, own.as_it_is())));
+            print(&report.to_text(number, sought.settled, own))?;
         }
         write_file(&self.out, text.as_bytes())
+    }
+
+    /// That what is written can be, and is not what is read.
+    fn check_out(&self) -> Result<(), Failure> {
+        let out = self.out.display();
+        if self.out.is_dir() {
+            return Err(Failure::Usage(format!("-o {out}: that is a folder; name a file")));
+        }
+        if self.out.extension().is_none_or(|extension| extension != "ron") {
+            return Err(Failure::Usage(format!("-o {out}: what is written is a graph; name a file that ends in .ron")));
+        }
+        match (self.out.canonicalize(), self.graph.canonicalize()) {
+            (Ok(out), Ok(graph)) if out == graph => {
+                Err(Failure::Usage(format!("-o {}: that is the graph itself; name another file", self.out.display())))
+            }
+            _ => Ok(()),
+        }
+    }
+
+    /// What a search comes to, by times taken anew if time is what costs.
+    fn settle(&self, goal: Goal, cost: Cost, counts: &[usize], bench: &mut Bench<'_>) -> Result<Sought, Failure> {
+        let sought = self.seek(goal, counts, bench)?;
+        if cost == Cost::Ms { timed_again(goal, sought, counts, |numbers| bench.time_again(numbers)) } else { Ok(sought) }
     }
 
     /// Searches, evaluating what the search asks for.
@@ -173,16 +204,17 @@ impl Tune {
             Goal::WithinError(limit) => (format!("errs by {limit} or less"), format!("{:.5}", nearest.trial.error)),
             Goal::WithinCost(limit) => (format!("costs {limit} {} or less", report.unit()), report.cost_text(nearest.trial.cost)),
         };
+        let at = if self.size.is_some() { " at its own size" } else { "" };
         let remedy = if nearest.settled { "allow more, or give other values with --vary" } else { "allow more, or more --evaluations" };
         let (graph, values, evaluated) = (self.graph.display(), report.named(values), report.evaluated());
-        Failure::Input(format!("{graph}: no setting {limit}; the least found is {least}, with {values} ({evaluated}): {remedy}"))
+        Failure::Input(format!("{graph}: no setting {limit}{at}; the least found is {least}, with {values} ({evaluated}): {remedy}"))
     }
 }
 
 /// An error that can be kept.
 fn error(text: &str) -> Result<f64, String> {
-    let number = text.parse().ok().filter(|number: &f64| number.is_finite() && *number >= 0.0);
-    number.ok_or_else(|| "expected a number from 0 up, as in 0.05".into())
+    let number = text.parse().ok().filter(|number: &f64| (0.0..=1.0).contains(number));
+    number.ok_or_else(|| "expected a number from 0 to 1, as in 0.05".into())
 }
 
 /// A cost that can be kept.

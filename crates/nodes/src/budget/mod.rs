@@ -7,7 +7,7 @@ use std::sync::Arc;
 
 use pelage_graph::{Context, Evaluate, FilePath, Node, NodeError, Param};
 
-pub use quality::Quality;
+pub use quality::{OtherCoatError, Quality, TableRow};
 pub use table::TableError;
 use table::{Row, Rows};
 
@@ -53,13 +53,13 @@ pub enum FrameLimit {
 /// Of the distances in the table the one counts that is nearest to the camera's and not beyond it, or the nearest of all where the camera is closer than any: what errs little from there
 /// errs less from further away. Among equals the first row is taken.
 #[derive(Node)]
-#[node(category = "Picture", version = 2)]
+#[node(category = "Picture", version = 3)]
 #[output(quality: Quality, "How to draw, for a RenderImage.")]
 pub struct Budget {
     /// From where: its margin is the distance.
     #[input]
     pub camera: Arc<Framing>,
-    /// The table, CSV, of a sweep that varies the `margin` of a Camera and inputs of a RenderImage: `detail`, `fins`, `lighting`, `direction_map`, `march`, `march_steps`, `hair_shadow`, `anisotropy`.
+    /// The table, CSV, of a sweep of this very coat that varies the `margin` of a Camera and inputs of a RenderImage: `detail`, `fins`, `lighting`, `direction_map`, `march`, `march_steps`, `hair_shadow`, `anisotropy`.
     #[param]
     pub table: FilePath,
     /// What a picture may cost, or how far it may err.
@@ -87,18 +87,20 @@ impl FrameLimit {
     fn pick<'r>(&self, rows: &'r Rows, margin: f32) -> &'r Row {
         let near = rows
             .iter()
-            .map(|row| row.margin)
+            .map(|row| row.figures.margin)
             .filter(|&at| at <= margin)
             .fold(None, |far: Option<f32>, at| Some(far.map_or(at, |far| far.max(at))));
-        let closest = || rows.iter().map(|row| row.margin).fold(f32::INFINITY, f32::min);
+        let closest = || rows.iter().map(|row| row.figures.margin).fold(f32::INFINITY, f32::min);
         let at = near.unwrap_or_else(closest);
-        let here = || rows.iter().filter(|row| row.margin == at);
-        let by_cost = |a: &&Row, b: &&Row| a.cost.total_cmp(&b.cost).then(a.error.total_cmp(&b.error));
-        let by_error = |a: &&Row, b: &&Row| a.error.total_cmp(&b.error).then(a.cost.total_cmp(&b.cost));
+        let here = || rows.iter().filter(|row| row.figures.margin == at);
+        let by_cost = |a: &&Row, b: &&Row| a.figures.cost.total_cmp(&b.figures.cost).then(a.figures.error.total_cmp(&b.figures.error));
+        let by_error = |a: &&Row, b: &&Row| a.figures.error.total_cmp(&b.figures.error).then(a.figures.cost.total_cmp(&b.figures.cost));
         let picked = match *self {
-            Self::MaxError { flip, .. } => here().filter(|row| row.error <= flip).min_by(by_cost).or_else(|| here().min_by(by_error)),
+            Self::MaxError { flip, .. } => {
+                here().filter(|row| row.figures.error <= flip).min_by(by_cost).or_else(|| here().min_by(by_error))
+            }
             Self::MaxMs { ms: most } | Self::MaxFragments { fragments: most } => {
-                here().filter(|row| row.cost <= most).min_by(by_error).or_else(|| here().min_by(by_cost))
+                here().filter(|row| row.figures.cost <= most).min_by(by_error).or_else(|| here().min_by(by_cost))
             }
         };
         picked.unwrap_or(rows.first())

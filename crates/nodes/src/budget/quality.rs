@@ -24,10 +24,41 @@ pub struct Quality {
     pub hair_shadow: Option<f64>,
     /// How much finer a slanted footprint is filtered.
     pub anisotropy: Option<u32>,
+    /// The row of the table that says so, if it comes of one.
+    pub row: Option<TableRow>,
+}
+
+/// What a table says of how to draw.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct TableRow {
+    /// Its line in the file, from 1.
+    pub line: u64,
+    /// How far back the camera stood.
+    pub margin: f32,
+    /// What it cost: milliseconds or fragments, as the budget looks at.
+    pub cost: f64,
+    /// How far it erred, mean FLIP.
+    pub error: f64,
+    /// How many shells were drawn, if the table says so.
+    pub shells: Option<u32>,
+}
+
+/// A picture that is told how to draw by figures that are not of its coat.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
+#[error(
+    "the budget's table, line {line}, is of {measured} shells at this level of detail, and this coat has {drawn} there: measure a table of this coat with `pelage measure`"
+)]
+pub struct OtherCoatError {
+    /// The row's line in the file, from 1.
+    pub line: u64,
+    /// Shells that were drawn when it was measured.
+    pub measured: u32,
+    /// Shells that are drawn now.
+    pub drawn: u32,
 }
 
 /// Takes one of a `RenderImage`'s parameters from a text.
-type Take = fn(&mut Quality, &ParamSpec, &str) -> Result<(), Box<FaultKind>>;
+pub(super) type Take = fn(&mut Quality, &ParamSpec, &str) -> Result<(), Box<FaultKind>>;
 
 /// The parameters that a budget may decide.
 const DECIDED: &[(&str, Take)] = &[
@@ -57,9 +88,18 @@ impl Quality {
         Self::decided().any(|name| name == input)
     }
 
-    /// Takes the value of a parameter, one of [`decided`](Self::decided), from a text.
-    pub(super) fn take(&mut self, param: &ParamSpec, text: &str) -> Result<(), Box<FaultKind>> {
-        DECIDED.iter().find(|(name, _)| *name == param.name).map_or(Ok(()), |(_, take)| take(self, param, text))
+    /// What takes the value of an input from a text, if a budget may decide it.
+    pub(super) fn taker(input: &str) -> Option<Take> {
+        DECIDED.iter().find(|(name, _)| *name == input).map(|(_, take)| *take)
+    }
+
+    /// That a picture of so many shells is of the coat that the table was measured of, as far as their number tells: a level of detail has as many from wherever it is seen.
+    pub(crate) fn check(&self, drawn: u32) -> Result<(), OtherCoatError> {
+        let measured = self.row.and_then(|row| Some((row.line, row.shells?)));
+        match (measured, &self.detail) {
+            (Some((line, measured)), Some(ShellDetail::Level { .. })) if measured != drawn => Err(OtherCoatError { line, measured, drawn }),
+            _ => Ok(()),
+        }
     }
 
     /// Puts what it decides in the place of what the options say.

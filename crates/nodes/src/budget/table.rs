@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 use csv::StringRecord;
 use pelage_graph::{FaultKind, Node, ParamSpec};
 
-use super::quality::Quality;
+use super::quality::{Quality, TableRow, Take};
 use crate::{CameraNode, RenderImage};
 
 /// The input whose value is the distance, of a Camera.
@@ -97,14 +97,14 @@ pub enum TableError {
     },
 }
 
+/// The column of shells drawn, which a table need not have.
+const SHELLS: &str = "shells";
+
 /// One setting at one distance.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Row {
-    /// How far back the camera stood.
-    pub(super) margin: f32,
     pub(super) quality: Quality,
-    pub(super) cost: f64,
-    pub(super) error: f64,
+    pub(super) figures: TableRow,
 }
 
 /// Rows, of which there is one at least.
@@ -140,25 +140,25 @@ struct Columns<'p> {
     path: &'p Path,
     names: StringRecord,
     margin: (usize, ParamSpec),
-    decided: Vec<(usize, ParamSpec)>,
+    decided: Vec<(usize, ParamSpec, Take)>,
     cost: usize,
     error: usize,
+    shells: Option<usize>,
 }
 
 impl<'p> Columns<'p> {
     fn of(path: &'p Path, names: StringRecord, cost: &str) -> Result<Self, TableError> {
         let (camera, picture) = (CameraNode::specification(), RenderImage::specification());
-        let (mut margin, mut decided) = (None::<(usize, ParamSpec)>, Vec::<(usize, ParamSpec)>::new());
+        let (mut margin, mut decided) = (None::<(usize, ParamSpec)>, Vec::<(usize, ParamSpec, Take)>::new());
         // What varies is called NODE.INPUT, what was measured has no dot.
         for (index, name) in names.iter().enumerate() {
             let Some((_, input)) = name.split_once('.') else { continue };
-            let before = margin.iter().chain(&decided).find(|(_, param)| param.name == input);
-            if let Some((before, _)) = before {
+            let before = margin.iter().map(|(index, param)| (index, param)).chain(decided.iter().map(|(index, param, _)| (index, param)));
+            if let Some((before, _)) = before.into_iter().find(|(_, param)| param.name == input) {
                 return Err(TableError::Repeated { path: path.to_owned(), first: names[*before].to_owned(), second: name.to_owned() });
             }
-            let param = if Quality::decided().any(|decided| decided == input) { picture.param(input) } else { None };
-            match (param, camera.param(DISTANCE)) {
-                (Some(param), _) => decided.push((index, param.clone())),
+            match (picture.param(input).zip(Quality::taker(input)), camera.param(DISTANCE)) {
+                (Some((param, take)), _) => decided.push((index, param.clone(), take)),
                 (None, Some(param)) if input == DISTANCE => margin = Some((index, param.clone())),
                 _ => {
                     let known = Quality::decided().collect::<Vec<_>>().join(", ");
@@ -171,7 +171,8 @@ impl<'p> Columns<'p> {
             names.iter().position(|name| name == column).ok_or_else(|| missing(column, "write the table with `pelage measure`"))
         };
         let margin = margin.ok_or_else(|| missing("camera.margin", "vary the margin of the picture's Camera"))?;
-        Ok(Self { path, margin, decided, cost: measured(cost)?, error: measured(ERROR)?, names })
+        let shells = names.iter().position(|name| name == SHELLS);
+        Ok(Self { path, margin, decided, cost: measured(cost)?, error: measured(ERROR)?, shells, names })
     }
 
     fn row(&self, record: &StringRecord) -> Result<Row, TableError> {
@@ -179,8 +180,8 @@ impl<'p> Columns<'p> {
         let (at, param) = &self.margin;
         let margin = param.read::<f64>(&record[*at]).map_err(|fault| self.misfit(line, *at, fault))?;
         let mut quality = Quality::default();
-        for (at, param) in &self.decided {
-            quality.take(param, &record[*at]).map_err(|fault| self.misfit(line, *at, fault))?;
+        for (at, param, take) in &self.decided {
+            take(&mut quality, param, &record[*at]).map_err(|fault| self.misfit(line, *at, fault))?;
         }
         let number = |at: usize| {
             let number = record[at].parse().ok().filter(|number: &f64| number.is_finite() && *number >= 0.0);
@@ -192,7 +193,9 @@ impl<'p> Columns<'p> {
             })
         };
         // As the camera has it, so that the same number is the same distance.
-        Ok(Row { margin: margin as f32, quality, cost: number(self.cost)?, error: number(self.error)? })
+        let shells = self.shells.and_then(|at| record[at].parse().ok());
+        let figures = TableRow { line, margin: margin as f32, cost: number(self.cost)?, error: number(self.error)?, shells };
+        Ok(Row { quality: Quality { row: Some(figures), ..quality }, figures })
     }
 
     fn misfit(&self, line: u64, at: usize, fault: impl Into<Box<FaultKind>>) -> TableError {

@@ -58,7 +58,12 @@ pub(crate) fn run(place: &Place, what: Option<What>, sweeps: &[String]) -> Resul
 pub(crate) fn verify(place: &Place) -> Result<()> {
     check_sources(place)?;
     nodes::check(place)?;
+    hold(&sweeps::old(place)?)?;
     build(place)
+}
+
+fn hold(faults: &[String]) -> Result<()> {
+    if faults.is_empty() { Ok(()) } else { Err(Failure::faults("the book does not hold together", faults)) }
 }
 
 /// All that can be seen without building.
@@ -69,7 +74,7 @@ fn check_sources(place: &Place) -> Result<()> {
     faults.extend(sweeps::faults(place)?);
     faults.extend(tables::faults(place)?);
     faults.extend(links::faults(place)?);
-    if faults.is_empty() { Ok(()) } else { Err(Failure::faults("the book does not hold together", &faults)) }
+    hold(&faults)
 }
 
 fn build(place: &Place) -> Result<()> {

@@ -38,7 +38,7 @@ fn generate(place: &Place) -> Result<String> {
 }
 
 /// Where cargo put the program.
-fn program(place: &Place) -> Result<String> {
+pub(crate) fn program(place: &Place) -> Result<String> {
     let metadata = MetadataCommand::new().manifest_path(place.at("Cargo.toml")).no_deps().exec();
     let target = metadata.map_err(|cause| Failure::caused("cargo metadata", cause))?.target_directory;
     Ok(target.join("debug").join(format!("pelage{EXE_SUFFIX}")).into_string())
