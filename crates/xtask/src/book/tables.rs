@@ -145,7 +145,10 @@ fn shown(cell: &str) -> String {
     match cell.parse::<f64>() {
         Ok(number) if number.abs() >= 100.0 => format!("{number:.1}"),
         Ok(number) => format!("{number:.3}"),
-        Err(_) if cell.contains(['(', '"', '.']) => format!("`{cell}`"),
+        // A value of an input or its name, but not a length as `0.5 m`.
+        Err(_) if cell.contains(['(', '"']) || cell.contains('.') && !cell.starts_with(|first: char| first.is_ascii_digit()) => {
+            format!("`{cell}`")
+        }
         Err(_) => cell.to_owned(),
     }
 }
@@ -182,6 +185,11 @@ mod tests {
     fn values_of_an_input_stand_side_by_side() {
         let table = "| case | false | true |\n|---|---|---|\n| ball | 0.500 | 0.251 |\n| cat, long | 0.750 | 123.5 |\n";
         assert_eq!(renew(&page("flip_mean by picture.fins", "")).unwrap(), page("flip_mean by picture.fins", table));
+    }
+
+    #[test]
+    fn values_of_inputs_are_code_and_lengths_are_not() {
+        assert_eq!(["1234.5", "0.5 m", "Level(level: 1.0)", "\"a.b\"", "picture.fins"].map(shown), ["1234.5", "0.5 m", "`Level(level: 1.0)`", "`\"a.b\"`", "`picture.fins`"]);
     }
 
     #[test]
