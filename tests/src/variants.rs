@@ -11,17 +11,28 @@ pub struct Variant {
     pub overrides: &'static [(&'static str, &'static str)],
 }
 
-/// Figure 4 of Lengyel et al. 2001 (its (d) is the graph's own picture; (f) and (k) want overlapped patches and strokes), and each option of drawing that the graphs'
+/// Figure 4 of Lengyel et al. 2001 (its (d) is the graph's own picture), and each option of drawing that the graphs'
 /// own pictures do not show.
 pub const VARIANTS: &[Variant] = &[
     Variant { name: "figure4-a", graph: "figure4", overrides: &[("picture.shells", "false"), ("picture.fins", "false")] },
     Variant { name: "figure4-b", graph: "figure4", overrides: &[("picture.shells", "false")] },
     Variant { name: "figure4-c", graph: "figure4", overrides: &[("picture.fins", "false")] },
     Variant { name: "figure4-e", graph: "figure4", overrides: &[("picture.shells", "false"), ("picture.fins_on", "All")] },
+    Variant { name: "figure4-f", graph: "figure4", overrides: &[("coat.lapped", "\"lapped.lapped\"")] },
     Variant { name: "figure4-g", graph: "figure4", overrides: &[("picture.detail", "Level(level: 1.0)")] },
     Variant { name: "figure4-h", graph: "figure4", overrides: &[("coat.length", "0.04")] },
     Variant { name: "figure4-i", graph: "figure4", overrides: &[("coat.slant", "45.0")] },
     Variant { name: "figure4-j", graph: "figure4", overrides: &[("picture.detail", "Level(level: 2.0)")] },
+    Variant {
+        name: "figure4-k",
+        graph: "figure4",
+        overrides: &[("coat.directions", "\"brushed.directions\""), ("coat.slants", "\"brushed.slants\"")],
+    },
+    Variant {
+        name: "figure4-l",
+        graph: "figure4",
+        overrides: &[("coat.directions", "\"parted.directions\""), ("coat.slants", "\"parted.slants\"")],
+    },
     Variant { name: "levels-blended", graph: "figure4", overrides: &[("picture.detail", "Level(level: 1.75)")] },
     Variant { name: "levels-skin", graph: "figure4", overrides: &[("picture.detail", "Level(level: 4.0)")] },
     Variant { name: "shadows-off", graph: "shadows", overrides: &[("picture.shadows", "false")] },

@@ -8,7 +8,7 @@ use pelage_graph::{Faults, Graph, ReadError, Registry};
 use crate::failure::Failure;
 
 /// What every command that reads a graph takes.
-#[derive(Args)]
+#[derive(Args, Default)]
 pub(crate) struct Overrides {
     /// Override an input: NODE.INPUT=VALUE, VALUE in RON; a bare word is a string, a path is relative to the working directory. Repeatable.
     #[arg(long = "set", value_name = "NODE.INPUT=VALUE")]

@@ -3,8 +3,10 @@
 //! Exit codes: 0 done, 1 the input or the graph is wrong or evaluation failed, 2 wrong usage, 3 no graphics adapter.
 
 mod check;
+mod contact;
 mod curves;
 mod failure;
+mod gallery;
 mod graph;
 mod inspect;
 mod measure;
@@ -36,6 +38,8 @@ enum Command {
     Check(check::Check),
     /// The node reference.
     Nodes(nodes::Nodes),
+    /// The pictures of many graphs, and a contact sheet of them.
+    Gallery(gallery::Gallery),
     /// What is in a model: counts, genus, quality.
     Inspect(inspect::Inspect),
     /// What settings of a graph cost and how far their pictures err: CSV, JSON, SVG and a contact sheet.
@@ -54,6 +58,7 @@ fn main() -> ExitCode {
         Command::Render(command) => command.run(),
         Command::Check(command) => command.run(),
         Command::Nodes(command) => command.run(),
+        Command::Gallery(command) => command.run(),
         Command::Inspect(command) => command.run(),
         Command::Measure(command) => command.run(),
         Command::Tune(command) => command.run(),

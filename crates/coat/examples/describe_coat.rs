@@ -24,6 +24,7 @@ fn main() -> Result<(), CoatError> {
         coordinates: corners.iter().map(|c| 8.0 * *c).collect(),
         faces: vec![[0, 1, 2], [0, 2, 3]],
         patch_ends: vec![2],
+        opacities: Vec::new(),
     };
     // Two layers of one texel: an opaque skin, and above it fur that covers half.
     let texels = vec![200, 200, 200, 255, 137, 137, 137, 128];

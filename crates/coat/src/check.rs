@@ -178,6 +178,10 @@ impl Coat {
         let patches = &self.patches;
         check_length("patches.coordinates", patches.coordinates.len(), patches.vertices.len())?;
         check_finite("patches.coordinates", patches.coordinates.iter().map(|c| c.is_finite()))?;
+        if !patches.opacities.is_empty() {
+            check_length("patches.opacities", patches.opacities.len(), patches.vertices.len())?;
+            check_finite("patches.opacities", patches.opacities.iter().map(|opacity| opacity.is_finite()))?;
+        }
         check_indices("patches.vertices", patches.vertices.iter().copied(), self.surface.positions.len())?;
         check_indices("patches.faces", patches.faces.iter().flatten().copied(), patches.vertices.len())?;
         check_indices("patches.patch_ends", patches.patch_ends.iter().copied(), patches.faces.len() + 1)?;

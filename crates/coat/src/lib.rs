@@ -30,6 +30,7 @@
 //!     coordinates: vec![Vec2::ZERO, Vec2::X, Vec2::Y],
 //!     faces: vec![[0, 1, 2]],
 //!     patch_ends: vec![1],
+//!     opacities: Vec::new(),
 //! };
 //! let skin = MipImage { width: 1, height: 1, texels: vec![180, 140, 120, 255] };
 //! let mut coat = Coat {
@@ -114,6 +115,8 @@ pub struct PatchMesh {
     pub faces: Vec<[u32; 3]>,
     /// Where the faces of each patch end in `faces`.
     pub patch_ends: Vec<u32>,
+    /// How opaque the hair of each patch vertex is, 0 to 1, where patches overlap and fade towards their outlines (L6); empty: all is whole, as it is where they do not.
+    pub opacities: Vec<f32>,
 }
 
 /// The edges that fins can stand on: arrays of equal length, one entry an edge (L9, L11).
@@ -167,6 +170,7 @@ impl Coat {
     pub fn byte_size(&self) -> usize {
         self.surface.positions.len() * (6 * size_of::<Vec3>() + 2 * size_of::<f32>())
             + self.patches.vertices.len() * 12
+            + self.patches.opacities.len() * 4
             + self.patches.faces.len() * 12
             + self.edges.vertices.len() * (8 + 8 + 24 + 4)
     }

@@ -28,6 +28,7 @@ fn coat() -> Coat {
             coordinates: vec![Vec2::ZERO; 6],
             faces: vec![[0, 1, 2], [3, 4, 5]],
             patch_ends: vec![1, 2],
+            opacities: Vec::new(),
         },
         edges: FinEdges { vertices: vec![[1, 2]], intervals: vec![[0.2, 0.4]], face_normals: vec![[Vec3::Z; 2]], curvatures: vec![0.5] },
         shells: Arc::new(ShellTexture::stack(3, vec![image(4, 4, 3), image(2, 2, 3), image(1, 1, 3)])),

@@ -4,7 +4,7 @@ use std::io::Cursor;
 use std::path::Path;
 
 use image::error::{ImageError, LimitErrorKind};
-use image::{DynamicImage, ImageReader, Limits};
+use image::{DynamicImage, ImageReader, Limits, RgbaImage};
 use pelage_field::{FieldError, Image};
 
 /// The most pixels along a side.
@@ -55,6 +55,11 @@ impl Pixels {
         let image = reader.decode().map_err(broken)?;
         let deep = image.color().bits_per_pixel() / u16::from(image.color().channel_count()) > 8;
         Ok(Self(if deep { image.into_rgba16().into() } else { image.into_rgba8().into() }))
+    }
+
+    /// Eight bits a channel.
+    pub(crate) fn into_rgba8(self) -> RgbaImage {
+        self.0.into_rgba8()
     }
 
     /// To look colours up in.

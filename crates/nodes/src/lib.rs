@@ -68,14 +68,15 @@ pub use fields::{
 pub use framing::{CameraNode, Framing};
 pub use gltf_file::GltfFile;
 pub use hair::{
-    BlockForm, CoatsInARow, CompressShells, CurlReport, FinDirection, FinImage, GrowStrands, GuideHair, GuideStrands, HairBand, HairGather,
-    HairNoise, HairOffset, HairOpacity, HairPattern, HairStyle, HairTaper, HairUndercoat, LevelsOfDetail, MixStrands, NotStraight,
-    OneLayer, OneLayerReport, SampleFin, SampleShells, ShareImages, ShellSpacing, TilePattern,
+    BlockForm, CoatsInARow, CompressShells, CurlReport, FinDirection, FinImage, FinOfShells, GrowStrands, GuideHair, GuideStrands,
+    HairBand, HairGather, HairNoise, HairOffset, HairOpacity, HairPattern, HairStyle, HairTaper, HairUndercoat, ImageShells,
+    LevelsOfDetail, MixStrands, NotStraight, OneLayer, OneLayerReport, PatternLook, PatternShells, SampleFin, SampleShells, ShareImages,
+    ShellSpacing, TileNoise, TilePattern, TintShells,
 };
 pub use light::{EnvironmentNode, LightNode};
 pub use mesh_edits::{Join, Simplify, Subdivide, Transform};
 pub use models::{ObjFile, Plane, RoundedDie, Sphere, Torus};
-pub use patches::GrowPatches;
+pub use patches::{GrowPatches, LapPatches};
 pub use pelage_reference::Curves;
 #[cfg(feature = "gpu")]
 pub use pelage_render::{Fragments, FrameStats, Picture, RenderError};

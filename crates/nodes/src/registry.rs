@@ -6,7 +6,7 @@ use pelage_field::{ColourField, DirectionField, ScalarField};
 use pelage_graph::{Evaluator, Registry};
 use pelage_lighting::Shading;
 use pelage_mesh::{Mesh, RepairReport};
-use pelage_patch::PatchTiling;
+use pelage_patch::{LappedPatches, PatchTiling};
 use pelage_reference::Curves;
 use pelage_strand::StrandTile;
 
@@ -22,6 +22,7 @@ pub fn registry() -> Registry {
         .value::<ScalarField>("ScalarField", |field| size_of_val(field.values()))
         .value::<ColourField>("ColourField", |field| size_of_val(field.values()))
         .value::<PatchTiling>("PatchTiling", PatchTiling::byte_size)
+        .value::<LappedPatches>("LappedPatches", LappedPatches::byte_size)
         .value::<StrandTile>("StrandTile", StrandTile::byte_size)
         .value::<ShellTexture>("ShellTexture", |shells| shells.byte_size() + shells.direction_bytes())
         .value::<crate::CurlReport>("CurlReport", |_| size_of::<crate::CurlReport>())
@@ -61,16 +62,21 @@ pub fn registry() -> Registry {
         .node::<crate::PartFields>()
         .node::<crate::CombStrokes>()
         .node::<crate::GrowPatches>()
+        .node::<crate::LapPatches>()
         .node::<crate::GrowStrands>()
         .node::<crate::GuideStrands>()
         .node::<crate::MixStrands>()
         .node::<crate::CoatsInARow>()
         .node::<crate::SampleShells>()
+        .node::<crate::PatternShells>()
+        .node::<crate::ImageShells>()
+        .node::<crate::TintShells>()
         .node::<crate::LevelsOfDetail>()
         .node::<crate::ShareImages>()
         .node::<crate::OneLayer>()
         .node::<crate::CompressShells>()
         .node::<crate::SampleFin>()
+        .node::<crate::FinOfShells>()
         .node::<crate::FinImage>()
         .node::<crate::LayFur>()
         .node::<crate::HairLightingNode>()

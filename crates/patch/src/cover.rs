@@ -49,13 +49,7 @@ struct Round {
 /// # Errors
 /// Where a setting is out of range, the field is not of this mesh, or the model's diameter is beyond 1e±100 tiles.
 pub fn grow(mesh: &Mesh, directions: Option<&DirectionField>, settings: &Settings) -> Result<PatchTiling, PatchError> {
-    settings.validate()?;
-    check_scale(mesh, settings.tile_side)?;
-    if let Some(field) = directions
-        && field.vectors().len() != mesh.topology().vertex_count()
-    {
-        return Err(PatchError::DirectionCount { directions: field.vectors().len(), vertices: mesh.topology().vertex_count() });
-    }
+    check_grow(mesh, directions, settings)?;
     let shapes = face_shapes(mesh, settings.tile_side);
     let rotations = directions.map(|field| face_rotations(mesh, field, &shapes, settings.tile_side));
     let wish = Wish { rotations: rotations.as_deref(), alignment: settings.alignment };
@@ -71,6 +65,17 @@ pub fn grow(mesh: &Mesh, directions: Option<&DirectionField>, settings: &Setting
     }
     let let_off = mesh.topology().faces().map(Face::id).filter(|face| cover.grower.let_off[face.index()]).collect();
     Ok(PatchTiling::from_drafts(mesh, settings.tile_side, cover.finished(), let_off))
+}
+
+/// That settings and field are of use for the mesh.
+pub(crate) fn check_grow(mesh: &Mesh, directions: Option<&DirectionField>, settings: &Settings) -> Result<(), PatchError> {
+    settings.validate()?;
+    check_scale(mesh, settings.tile_side)?;
+    let (given, vertices) = (directions.map(|field| field.vectors().len()), mesh.topology().vertex_count());
+    match given.filter(|&given| given != vertices) {
+        Some(directions) => Err(PatchError::DirectionCount { directions, vertices }),
+        None => Ok(()),
+    }
 }
 
 fn check_scale(mesh: &Mesh, tile_side: f64) -> Result<(), PatchError> {

@@ -32,6 +32,7 @@ mod disc;
 mod distortion;
 mod frame;
 mod growth;
+mod lapped;
 mod quality;
 mod settings;
 mod shape;
@@ -40,6 +41,7 @@ mod splotch;
 mod tiling;
 
 pub use cover::grow;
+pub use lapped::{LappedPatches, lap};
 pub use quality::Quality;
 pub use settings::{
     DEFAULT_ALIGNMENT, DEFAULT_MAX_STRETCH, DEFAULT_MAX_TURNING, DEFAULT_PATCH_EXTENT, DEFAULT_TILE_FRACTION, PatchError, Settings,

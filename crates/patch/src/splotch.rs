@@ -24,7 +24,7 @@ impl Splotch {
 
     /// The outline's radius towards a place. Lobes come from powers of the unit complex number, so no trigonometry is called and the
     /// bits are the same everywhere.
-    fn radius_towards(&self, place: DVec2) -> f64 {
+    pub(crate) fn radius_towards(&self, place: DVec2) -> f64 {
         let Some(unit) = place.try_normalize() else { return self.radius };
         let mut power = unit;
         let mut factor = 1.0;

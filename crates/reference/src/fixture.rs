@@ -27,6 +27,7 @@ pub(crate) fn square(cells: u32, tiles: f32) -> Coat {
         coordinates: (0..side * side).map(|k| tiles * at(k)).collect(),
         faces,
         patch_ends: vec![2 * cells * cells],
+        opacities: Vec::new(),
     };
     let skin = MipImage { width: 1, height: 1, texels: vec![180, 140, 120, 255] };
     let shells = Arc::new(ShellTexture::stack(1, vec![skin]));

@@ -58,7 +58,7 @@
 //!     colours: vec![Vec3::ONE; 3],
 //! };
 //! let coordinates = vec![Vec2::ZERO, Vec2::X, Vec2::Y];
-//! let patches = PatchMesh { vertices: vec![0, 1, 2], coordinates, faces: vec![[0, 1, 2]], patch_ends: vec![1] };
+//! let patches = PatchMesh { vertices: vec![0, 1, 2], coordinates, faces: vec![[0, 1, 2]], patch_ends: vec![1], opacities: Vec::new() };
 //! let skin = MipImage { width: 1, height: 1, texels: vec![180, 140, 120, 255] };
 //! let coat = Coat {
 //!     frame: Frame { centre: DVec3::ZERO, diameter: 1.0 },

@@ -147,6 +147,9 @@ impl Frame {
     pub(crate) fn begin_tiles(&self, pass: &mut RenderPass<'_>, pipeline: &RenderPipeline) {
         self.begin(pass, pipeline);
         pass.set_vertex_buffer(0, self.coat.tiles.slice(..));
+        if let Some(opacities) = &self.coat.opacities {
+            pass.set_vertex_buffer(2, opacities.slice(..));
+        }
     }
 
     pub(crate) fn begin(&self, pass: &mut RenderPass<'_>, pipeline: &RenderPipeline) {

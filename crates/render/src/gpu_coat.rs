@@ -21,6 +21,8 @@ pub struct GpuCoat {
     pub(crate) looks: Buffer,
     pub(crate) edges: Buffer,
     pub(crate) tiles: Buffer,
+    /// How opaque each patch vertex is, where patches overlap.
+    pub(crate) opacities: Option<Buffer>,
     /// Every face, and those with fur alone.
     pub(crate) faces: Buffer,
     pub(crate) furred_faces: Buffer,
@@ -57,6 +59,8 @@ impl GpuCoat {
         Self {
             bind_group,
             tiles: array(device, queue, "patch vertices", BufferUsages::VERTEX | storage, &tiles),
+            opacities: (!coat.patches.opacities.is_empty())
+                .then(|| array(device, queue, "opacities", BufferUsages::VERTEX, &coat.patches.opacities)),
             faces: array(device, queue, "faces", BufferUsages::INDEX, &coat.patches.faces),
             furred_faces: array(device, queue, "furred faces", BufferUsages::INDEX | BufferUsages::COPY_SRC | storage, &furred.faces),
             run_of: array(device, queue, "runs", storage, &furred.run_of),
@@ -68,6 +72,7 @@ impl GpuCoat {
                 cut: coat.surface.ends.iter().any(|&end| end < 1.0),
                 direction_map: textures.has_directions,
                 mixed: textures.mixtures.count > 1,
+                lapped: !coat.patches.opacities.is_empty(),
             },
             length: coat.surface.offsets.iter().map(|offset| offset.length()).fold(0.0, f32::max),
             shortest: coat.surface.offsets.iter().map(|offset| offset.length()).fold(f32::INFINITY, f32::min),

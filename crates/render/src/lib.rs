@@ -48,6 +48,7 @@
 //!         coordinates: vec![Vec2::ZERO, Vec2::X, Vec2::Y],
 //!         faces: vec![[0, 1, 2]],
 //!         patch_ends: vec![1],
+//!         opacities: Vec::new(),
 //!     },
 //!     edges: FinEdges::default(),
 //!     shells: Arc::new(ShellTexture::stack(1, vec![MipImage { width: 1, height: 1, texels: vec![180, 140, 120, 255] }])),

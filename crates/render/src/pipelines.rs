@@ -56,6 +56,8 @@ pub(crate) struct Variant {
     cut: bool,
     /// One coat becomes another.
     mixed: bool,
+    /// Patches overlap and fade.
+    lapped: bool,
     /// Two levels of detail are blended.
     levels: bool,
     /// Shells are more or less than their image.
@@ -101,6 +103,8 @@ pub(crate) struct CoatTraits {
     pub(crate) direction_map: bool,
     /// Several mixtures of hair, one coat becoming another.
     pub(crate) mixed: bool,
+    /// Patches overlap and fade towards their outlines.
+    pub(crate) lapped: bool,
 }
 
 impl Variant {
@@ -126,6 +130,7 @@ impl Variant {
             bent: coat.bent,
             cut: coat.cut,
             mixed: coat.mixed,
+            lapped: coat.lapped,
             levels,
             thickened,
             hair_shadow: options.hair_shadow > 0.0,
@@ -154,6 +159,7 @@ impl Variant {
             ("BENT", self.bent),
             ("CUT", self.cut),
             ("MIXED", self.mixed),
+            ("LAPPED", self.lapped),
             ("LEVELS", self.levels),
             ("THICKENED", self.thickened),
             ("HAIR_SHADOW", self.hair_shadow),
@@ -285,7 +291,7 @@ impl Drawing {
                     Depth::Tested => "shell_blended",
                     Depth::Coverage => "shell_covering",
                 },
-                buffers: 2,
+                buffers: if variant.lapped { 3 } else { 2 },
                 primitive: PrimitiveState { cull_mode: Some(Face::Back), ..PrimitiveState::default() },
                 write_depth: variant.depth != Depth::Tested,
                 // A sample that is drawn is replaced.
@@ -300,21 +306,23 @@ struct Pass {
     source: &'static str,
     vertex: &'static str,
     fragment: &'static str,
-    /// Vertex buffers: patch vertices, then which shell, of a crowd also which place.
+    /// Vertex buffers: patch vertices, then which shell, of a crowd also which place, then how opaque patches are that overlap.
     buffers: usize,
     primitive: PrimitiveState,
     write_depth: bool,
     blend: Option<BlendState>,
 }
 
-/// The vertex buffers of shells: patch vertices, and which shell.
+/// The vertex buffers of shells: patch vertices, and which shell; where patches overlap, how opaque they are.
 pub(crate) fn shell_buffers<T>(with: impl FnOnce(&[Option<VertexBufferLayout<'_>>]) -> T) -> T {
     let tile = vertex_attr_array![0 => Uint32, 1 => Float32x2, 2 => Uint32, 3 => Float32, 4 => Uint32];
     let shell = vertex_attr_array![5 => Uint32];
+    let opacity = vertex_attr_array![6 => Float32];
     let layout = |stride: usize, step_mode, attributes| Some(VertexBufferLayout { array_stride: stride as u64, step_mode, attributes });
     with(&[
         layout(size_of::<TileVertex>(), VertexStepMode::Vertex, &tile[..]),
         layout(size_of::<u32>(), VertexStepMode::Instance, &shell[..]),
+        layout(size_of::<f32>(), VertexStepMode::Vertex, &opacity[..]),
     ])
 }
 
@@ -382,12 +390,15 @@ mod tests {
         assert_eq!(Variant::new(&view, CoatTraits::default(), [false, false, true]).flags(), ["GROWN", "SKY"]);
         view.options.lighting = LightingMode::Formula;
         view.lights.ambient.0[4] = Vec3::X;
-        let all = CoatTraits { bent: true, cut: true, direction_map: true, mixed: true };
+        let all = CoatTraits { bent: true, cut: true, direction_map: true, mixed: true, lapped: true };
         assert_eq!(
             Variant::new(&view, all, [true, true, false]).flags(),
-            ["PIXEL", "MAP", "BENT", "CUT", "MIXED", "LEVELS", "THICKENED", "KEPT", "SPLIT", "AXES"]
+            ["PIXEL", "MAP", "BENT", "CUT", "MIXED", "LAPPED", "LEVELS", "THICKENED", "KEPT", "SPLIT", "AXES"]
         );
         view.options.direction_map = false;
-        assert_eq!(Variant::new(&view, all, [false, false, true]).flags(), ["PIXEL", "BENT", "CUT", "MIXED", "GROWN", "KEPT", "SPLIT"]);
+        assert_eq!(
+            Variant::new(&view, all, [false, false, true]).flags(),
+            ["PIXEL", "BENT", "CUT", "MIXED", "LAPPED", "GROWN", "KEPT", "SPLIT"]
+        );
     }
 }

@@ -83,7 +83,8 @@ mod tests {
         let square = |i: u32| [[i, i + 1, i + 4], [i, i + 4, i + 3]];
         let faces: Vec<[u32; 3]> = [0, 1, 3, 4].into_iter().flat_map(square).collect();
         let surface = Surface { normals: vec![Vec3::Z; 9], positions, ..Surface::default() };
-        let patches = PatchMesh { vertices: (0..9).collect(), coordinates, patch_ends: vec![faces.len() as u32], faces };
+        let patches =
+            PatchMesh { vertices: (0..9).collect(), coordinates, patch_ends: vec![faces.len() as u32], faces, opacities: Vec::new() };
         let frames = TileFrames::of(&surface, &patches);
         for axis in &frames.axes {
             assert!(axis.abs_diff_eq(0.5 * Vec3::Y, 1e-6), "{axis}");
@@ -96,7 +97,13 @@ mod tests {
     #[test]
     fn faces_without_area_on_the_tile_give_some_axis() {
         let surface = Surface { positions: vec![Vec3::ZERO, Vec3::X, Vec3::Y], normals: vec![Vec3::Z; 3], ..Surface::default() };
-        let patches = PatchMesh { vertices: vec![0, 1, 2], coordinates: vec![Vec2::ONE; 3], faces: vec![[0, 1, 2]], patch_ends: vec![1] };
+        let patches = PatchMesh {
+            vertices: vec![0, 1, 2],
+            coordinates: vec![Vec2::ONE; 3],
+            faces: vec![[0, 1, 2]],
+            patch_ends: vec![1],
+            opacities: Vec::new(),
+        };
         for axis in TileFrames::of(&surface, &patches).axes {
             assert!((axis.length() - 1.0).abs() < 1e-6 && axis.z == 0.0);
         }

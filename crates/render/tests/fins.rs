@@ -55,7 +55,13 @@ fn random_edges(count: u32) -> Coat {
         edges.face_normals.push(if i % 8 == 0 { [unit(), Vec3::ZERO] } else { [unit(), unit()] });
         edges.curvatures.push((i % 13) as f32);
     }
-    let patches = PatchMesh { vertices: vec![0, 1, 2], coordinates: vec![Vec2::ZERO; 3], faces: vec![[0, 1, 2]], patch_ends: vec![1] };
+    let patches = PatchMesh {
+        vertices: vec![0, 1, 2],
+        coordinates: vec![Vec2::ZERO; 3],
+        faces: vec![[0, 1, 2]],
+        patch_ends: vec![1],
+        opacities: Vec::new(),
+    };
     Coat { surface, patches, edges, ..ball() }
 }
 
@@ -227,7 +233,13 @@ fn standing(fins: &[(Vec3, Vec3)]) -> Coat {
     surface.ends = vec![1.0; count];
     surface.mixes = vec![0.0; count];
     surface.colours = vec![Vec3::ONE; count];
-    let patches = PatchMesh { vertices: vec![0, 1, 1], coordinates: vec![Vec2::ZERO; 3], faces: vec![[0, 1, 2]], patch_ends: vec![1] };
+    let patches = PatchMesh {
+        vertices: vec![0, 1, 1],
+        coordinates: vec![Vec2::ZERO; 3],
+        faces: vec![[0, 1, 2]],
+        patch_ends: vec![1],
+        opacities: Vec::new(),
+    };
     Coat { surface, patches, edges, ..coat(&shapes::square(1, 1.0), Style::default(), &flat_hair(9, Vec3::ONE)) }
 }
 

@@ -351,8 +351,13 @@ fn fins_are_faded_and_left_out_as_the_processor_says() {
         coat.edges.face_normals.push(if i % 2 == 0 { [away; 2] } else { [unit(), unit()] });
         coat.edges.curvatures.push(7.0);
     }
-    coat.patches =
-        PatchMesh { vertices: vec![0, 1, 2], coordinates: vec![glam::Vec2::ZERO; 3], faces: vec![[0, 1, 2]], patch_ends: vec![1] };
+    coat.patches = PatchMesh {
+        vertices: vec![0, 1, 2],
+        coordinates: vec![glam::Vec2::ZERO; 3],
+        faces: vec![[0, 1, 2]],
+        patch_ends: vec![1],
+        opacities: Vec::new(),
+    };
     let distance = 100.0;
     let field_of_view = 2.0 * (0.3_f32 / distance).atan();
     let camera = Camera { eye: distance * Vec3::Z, target: Vec3::ZERO, up: Vec3::Y, field_of_view, near: 1.0 };

@@ -9,7 +9,10 @@
 //! evaluated and averaged in `f32`, and rounded to bytes once at the end of each level, so that each layer's mean coverage is kept.
 //!
 //! A [`ShellStack`] goes on from there: [`ShellStack::with_levels`] composites pairs of shells down to one (L16), [`OneLayerFit`] keeps one image of straight hair (L22),
-//! [`ShellStack::shared`] shows the images by more or fewer shells (K5), [`ShellStack::compressed`] makes blocks (L22). [`fin_from_pixels`] takes a fin that somebody drew.
+//! [`ShellStack::shared`] shows the images by more or fewer shells (K5), [`ShellStack::compressed`] makes blocks (L22).
+//!
+//! Hair without strands: [`map_shells`] makes shells of a pattern (K2, Z1), [`shells_from_pixels`] and [`fin_from_pixels`] take what somebody drew, [`ShellStack::fin`] cuts a fin of shells, [`ShellStack::tinted`] dyes them by a
+//! picture.
 //!
 //! ```
 //! use pelage_strand::{GrowSettings, grow};
@@ -36,8 +39,10 @@ mod gauss;
 mod heights;
 mod image;
 mod levels;
+mod map;
 mod mips;
 mod picture;
+mod pixels;
 mod plane;
 mod ramp_block;
 mod share;
@@ -46,17 +51,23 @@ mod shells;
 mod slab;
 mod spacing;
 mod srgb;
+mod stack;
+mod stack_fin;
 mod taper;
+mod tint;
 
 pub use compress::{BlockImage, CompressedStack, CompressionError};
 pub use error::VolumeError;
 pub use fin::{FinAcross, FinSettings, sample_fin};
 pub use heights::Spacing;
 pub use image::{FinTexture, Image, ShellStack, Work};
+pub use map::{FurMap, MapLook, map_shells};
 pub use mips::MipRule;
-pub use picture::fin_from_pixels;
+pub use picture::{fin_from_pixels, shells_from_pixels};
+pub use pixels::Pixels;
 pub use shell::Shell;
 pub use shells::{MAX_TEXELS, ShellSettings, sample_shells, sample_skin};
 pub use spacing::layers_for;
 pub use srgb::{linear_to_srgb, srgb_to_linear};
+pub use stack::StackSettings;
 pub use taper::OneLayerFit;

@@ -2,14 +2,18 @@
 
 #![allow(clippy::unwrap_used, reason = "a test that cannot go on fails")]
 
-use pelage_volume::{VolumeError, fin_from_pixels, srgb_to_linear};
+use pelage_volume::{Pixels, VolumeError, fin_from_pixels, srgb_to_linear};
 use proptest::prelude::*;
+
+fn picture(rgba: &[u8], width: u32, height: u32) -> Pixels<'_> {
+    Pixels { rgba, width, height }
+}
 
 #[test]
 fn straight_alpha_becomes_premultiplied_linear_light() {
     // Two of each, so that nothing is resampled.
     let pixels = [[255u8, 128, 0, 128], [10, 20, 30, 0], [255, 128, 0, 255], [255, 128, 0, 51]].concat();
-    let fin = fin_from_pixels(&pixels, 2, 2, 3).unwrap();
+    let fin = fin_from_pixels(&picture(&pixels, 2, 2), 3).unwrap();
     assert_eq!((fin.tiles_across, fin.mips.iter().map(|mip| (mip.width, mip.height)).collect::<Vec<_>>()), (3, vec![(2, 2), (1, 1)]));
     let texel = |x, y| fin.mips[0].texel(0, x, y).unwrap();
     // Opaque stays as it is; without cover there is no colour, whatever the file says.
@@ -28,7 +32,7 @@ fn straight_alpha_becomes_premultiplied_linear_light() {
 fn sides_become_powers_of_two_and_the_picture_stays_where_it_was() {
     // Six columns of three rows: left third opaque white, the rest clear.
     let pixels: Vec<u8> = (0..18).flat_map(|i| if i % 6 < 2 { [255; 4] } else { [0; 4] }).collect();
-    let fin = fin_from_pixels(&pixels, 6, 3, 1).unwrap();
+    let fin = fin_from_pixels(&picture(&pixels, 6, 3), 1).unwrap();
     assert_eq!((fin.mips[0].width, fin.mips[0].height), (8, 4));
     // A third of eight texels is two and two thirds, in every row.
     for y in 0..4 {
@@ -37,17 +41,17 @@ fn sides_become_powers_of_two_and_the_picture_stays_where_it_was() {
     }
     // Up is up: bottom row covered only.
     let pixels: Vec<u8> = (0..9).flat_map(|i| if i >= 6 { [255; 4] } else { [0; 4] }).collect();
-    let fin = fin_from_pixels(&pixels, 3, 3, 1).unwrap();
+    let fin = fin_from_pixels(&picture(&pixels, 3, 3), 1).unwrap();
     assert!(fin.mips[0].texel(0, 1, 3).unwrap()[3] == 255 && fin.mips[0].texel(0, 1, 0).unwrap()[3] == 0);
 }
 
 #[test]
 fn what_is_no_picture_is_refused() {
     for (pixels, width, height) in [(vec![], 0, 0), (vec![0; 12], 2, 2), (vec![0; 20], 2, 2), (vec![], u32::MAX, u32::MAX)] {
-        assert!(matches!(fin_from_pixels(&pixels, width, height, 1), Err(VolumeError::Pixels { .. })), "{width} × {height}");
+        assert!(matches!(fin_from_pixels(&picture(&pixels, width, height), 1), Err(VolumeError::Pixels { .. })), "{width} × {height}");
     }
     for tiles in [0, 65] {
-        assert!(matches!(fin_from_pixels(&[0; 4], 1, 1, tiles), Err(VolumeError::OutOfRange { name: "tiles_across", .. })));
+        assert!(matches!(fin_from_pixels(&picture(&[0; 4], 1, 1), tiles), Err(VolumeError::OutOfRange { name: "tiles_across", .. })));
     }
 }
 
@@ -55,7 +59,7 @@ proptest! {
     #[test]
     fn any_size_keeps_its_coverage(width in 1u32..40, height in 1u32..40, seed in prop::collection::vec(any::<u8>(), 60)) {
         let pixels: Vec<u8> = seed.iter().copied().cycle().take((4 * width * height) as usize).collect();
-        let fin = fin_from_pixels(&pixels, width, height, 1).unwrap();
+        let fin = fin_from_pixels(&picture(&pixels, width, height), 1).unwrap();
         let wanted = pixels.iter().skip(3).step_by(4).map(|&alpha| f64::from(alpha)).sum::<f64>() / (255.0 * f64::from(width * height));
         prop_assert!(fin.mips[0].width.is_power_of_two() && fin.mips[0].width >= width && fin.mips[0].width < 2 * width);
         for mip in &fin.mips {

@@ -29,6 +29,10 @@ const FIGURES: &[Figure] = &[
     },
     Figure { what: "animals by their number of faces", cargo: "bench -p pelage-creature --bench mesh" },
     Figure { what: "direction fields from 5,000 to 1,000,000 faces", cargo: "bench -p pelage-field --bench direction" },
+    Figure {
+        what: "a stroke of a comb that touches 2,000 vertices, on meshes of 10,000 to 1,000,000",
+        cargo: "bench -p pelage-field --bench comb",
+    },
     Figure { what: "patches from 1,000 to 1,000,000 faces, and the 5,000-face bunny", cargo: "bench -p pelage-patch --bench grow" },
     Figure { what: "strands grown a second", cargo: "bench -p pelage-strand --bench grow" },
     Figure { what: "strands sampled a second, and the cost of a pair of piece and texel", cargo: "bench -p pelage-volume --bench sample" },
@@ -47,7 +51,7 @@ const FIGURES: &[Figure] = &[
         cargo: "run --release -p pelage-reference --example rays",
     },
     Figure {
-        what: "how far what is drawn is from the hair itself, by layers, resolution and lighting",
+        what: "how far true pictures are from each other: with other noise, and with strands that no patch cuts",
         cargo: "run --release -p pelage-tests --example truth -- 8",
     },
     Figure { what: "the graph engine: parsing, checking, running, saving", cargo: "bench -p pelage-graph --bench graph" },

@@ -6,7 +6,7 @@ use glam::{DVec3, Vec3};
 use pelage_coat::{Coat, FinEdges, FinTexture, Frame, PatchMesh, ShellTexture, Surface};
 use pelage_field::{ColourField, DirectionField, MOST_SLANT, ScalarField};
 use pelage_mesh::{Mesh, VertexId};
-use pelage_patch::PatchTiling;
+use pelage_patch::{LappedPatches, PatchTiling};
 use pelage_strand::StrandTile;
 
 use super::curve::Curve;
@@ -17,6 +17,8 @@ use super::lean::Lean;
 pub(crate) struct Dressing<'a> {
     pub(crate) mesh: &'a Mesh,
     pub(crate) tiling: &'a PatchTiling,
+    /// Patches that overlap, to be drawn in place of those of the tiling.
+    pub(crate) lapped: Option<&'a LappedPatches>,
     pub(crate) directions: Option<&'a DirectionField>,
     pub(crate) lengths: Option<&'a ScalarField>,
     pub(crate) colours: Option<&'a ColourField>,
@@ -24,7 +26,8 @@ pub(crate) struct Dressing<'a> {
     pub(crate) coats: Option<&'a ScalarField>,
     pub(crate) shells: Arc<ShellTexture>,
     pub(crate) fin: Option<Arc<FinTexture>>,
-    pub(crate) strands: &'a StrandTile,
+    /// None of hair that is a pattern.
+    pub(crate) strands: Option<&'a StrandTile>,
     /// In model diameters.
     pub(crate) length: f64,
     /// How far it is combed down, in radians; where `slants` are not, which are in degrees.
@@ -49,9 +52,13 @@ pub(crate) fn dress(dressing: &Dressing) -> Coat {
     let (low, high) = mesh.bounds().unwrap_or_default();
     let diameter = if mesh.diameter() > 0.0 { mesh.diameter() } else { 1.0 };
     let frame = Frame { centre: 0.5 * (low + high), diameter };
-    let surface = surface(dressing, &frame);
+    let mut surface = surface(dressing, &frame);
     let edges = if dressing.fin.is_some() { fin_edges(dressing, &surface, &frame) } else { FinEdges::default() };
-    Coat { frame, surface, patches: patch_mesh(dressing.tiling), edges, shells: Arc::clone(&dressing.shells), fin: dressing.fin.clone() }
+    let patches = match dressing.lapped {
+        Some(lapped) => lapped_mesh(mesh, lapped, &mut surface),
+        None => patch_mesh(dressing.tiling),
+    };
+    Coat { frame, surface, patches, edges, shells: Arc::clone(&dressing.shells), fin: dressing.fin.clone() }
 }
 
 /// The vertex arrays: skin, offset *c_v* (section 3 of Lengyel et al. 2001), its bend and end, hair direction *T*, colour.
@@ -60,7 +67,7 @@ fn surface(dressing: &Dressing, frame: &Frame) -> Surface {
     let normals = mesh.vertex_normals();
     let tile_side = dressing.tiling.tile_side() / frame.diameter;
     let leans = dressing.looks.then(|| Leans::of(dressing, tile_side));
-    let last_coat = f64::from(dressing.strands.coats() - 1);
+    let last_coat = f64::from(dressing.strands.map_or(0, |strands| strands.coats() - 1));
     let mut surface = Surface::default();
     for vertex in mesh.vertices() {
         let normal = normals[vertex.index()];
@@ -138,5 +145,43 @@ fn patch_mesh(tiling: &PatchTiling) -> PatchMesh {
         coordinates: tiling.coordinates().iter().map(|c| c.as_vec2()).collect(),
         faces: tiling.faces().to_vec(),
         patch_ends: tiling.patches().iter().map(|patch| patch.faces().end as u32).collect(),
+        opacities: Vec::new(),
     }
+}
+
+/// Patches that overlap: where they have a vertex between those of the mesh, the surface gets one that is what its face's corners are, mixed.
+fn lapped_mesh(mesh: &Mesh, lapped: &LappedPatches, surface: &mut Surface) -> PatchMesh {
+    let vertices = lapped.points().iter().map(|point| {
+        let corners = mesh.face(point.face).vertices().map(|vertex| vertex.id().0);
+        let parts = point.barycentrics.to_array();
+        match parts.iter().position(|&part| part == 1.0) {
+            Some(corner) => corners[corner],
+            None => push_between(surface, corners.map(|corner| corner as usize), parts.map(|part| part as f32)),
+        }
+    });
+    PatchMesh {
+        vertices: vertices.collect(),
+        coordinates: lapped.coordinates().iter().map(|c| c.as_vec2()).collect(),
+        faces: lapped.faces().to_vec(),
+        patch_ends: lapped.patch_ends().to_vec(),
+        opacities: lapped.opacities().to_vec(),
+    }
+}
+
+/// Adds a vertex between three others.
+fn push_between(surface: &mut Surface, corners: [usize; 3], parts: [f32; 3]) -> u32 {
+    let vector = |of: &[Vec3]| corners.iter().zip(parts).map(|(&corner, part)| part * of[corner]).sum::<Vec3>();
+    let number = |of: &[f32]| corners.iter().zip(parts).map(|(&corner, part)| part * of[corner]).sum::<f32>();
+    let (position, normal, offset) = (vector(&surface.positions), vector(&surface.normals), vector(&surface.offsets));
+    let (bend, direction, colour) = (vector(&surface.bends), vector(&surface.directions), vector(&surface.colours));
+    let (end, mix) = (number(&surface.ends), number(&surface.mixes));
+    surface.positions.push(position);
+    surface.normals.push(normal.normalize_or_zero());
+    surface.offsets.push(offset);
+    surface.bends.push(bend);
+    surface.ends.push(end.min(1.0));
+    surface.mixes.push(mix);
+    surface.directions.push(direction);
+    surface.colours.push(colour);
+    (surface.positions.len() - 1) as u32
 }

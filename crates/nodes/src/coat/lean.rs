@@ -35,13 +35,19 @@ struct Sum {
 
 impl Lean {
     /// Of a tile laid with a side of `tile_side` and its height stretched to `length` along `curve`, both in diameters.
-    pub(crate) fn of(strands: &StrandTile, tile_side: f64, length: f64, curve: &Curve) -> Self {
+    /// Without strands hair stands as the fur does.
+    pub(crate) fn of(strands: Option<&StrandTile>, tile_side: f64, length: f64, curve: &Curve) -> Self {
+        let Some(strands) = strands else { return Self { coats: vec![CoatLean::upright()] } };
         let laid = |coat: u32| CoatLean::of(strands, coat, (tile_side, length), curve);
         Self { coats: (0..strands.coats()).map(laid).collect() }
     }
 }
 
 impl CoatLean {
+    fn upright() -> Self {
+        Self { whole: Sum::default(), under: vec![Sum::default(); LAYERS + 1] }
+    }
+
     fn of(strands: &StrandTile, coat: u32, (tile_side, length): (f64, f64), curve: &Curve) -> Self {
         let tile_height = strands.height().max(f64::MIN_POSITIVE);
         let stretch = DVec3::new(tile_side, tile_side, length / tile_height);

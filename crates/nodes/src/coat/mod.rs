@@ -11,7 +11,7 @@ use pelage_coat::{Coat, FinTexture, ShellTexture};
 use pelage_field::{ColourField, DirectionField, ScalarField};
 use pelage_graph::{Colour, Context, Evaluate, Needs, Node, NodeError, Param, Params, Part, Wanted};
 use pelage_mesh::Mesh;
-use pelage_patch::PatchTiling;
+use pelage_patch::{LappedPatches, PatchTiling};
 use pelage_strand::StrandTile;
 
 use crate::parts::{DIRECTIONS, FINS, LAYERS, LEVELS, LOOKS, SKIN};
@@ -47,9 +47,12 @@ pub struct LayFur {
     /// How the tile lies on it.
     #[input]
     pub patches: Arc<PatchTiling>,
-    /// The hair of the tile: its direction is lit.
+    /// Patches that overlap (L6), to draw in place of those; fins still take their scale from them.
     #[input]
-    pub strands: Arc<StrandTile>,
+    pub lapped: Option<Arc<LappedPatches>>,
+    /// The hair of the tile: its direction is lit. Without it the hair of the shells is taken to stand as the fur does, as hair of a pattern does.
+    #[input]
+    pub strands: Option<Arc<StrandTile>>,
     /// The hair as shell layers.
     #[input(required)]
     pub shells: Option<Arc<ShellTexture>>,
@@ -110,13 +113,14 @@ impl Evaluate for LayFur {
         let coat = dress(&Dressing {
             mesh: &self.mesh,
             tiling: &self.patches,
+            lapped: self.lapped.as_deref(),
             directions: self.directions.as_deref(),
             lengths: self.lengths.as_deref(),
             colours: self.colours.as_deref(),
             coats: self.coats.as_deref(),
             shells: self.shells.clone().unwrap_or_else(|| Arc::new(ShellTexture::bare())),
             fin: self.fin.clone(),
-            strands: &self.strands,
+            strands: self.strands.as_deref(),
             length: self.length,
             slant: self.slant.to_radians(),
             slants: self.slants.as_deref(),
@@ -170,6 +174,10 @@ impl LayFur {
             if let Some(found) = found.filter(|&found| found != vertices) {
                 return Err(OtherMesh { what, found, expected: vertices, unit: "vertices" });
             }
+        }
+        let last = self.lapped.as_ref().and_then(|lapped| lapped.points().iter().map(|point| point.face.index()).max());
+        if let Some(found) = last.map(|last| last + 1).filter(|&found| found > topology.face_count()) {
+            return Err(OtherMesh { what: "the overlapping patches", found, expected: topology.face_count(), unit: "faces" });
         }
         let (found, expected) = (self.patches.patch_of_face().len(), topology.face_count());
         if found == expected { Ok(()) } else { Err(OtherMesh { what: "the tiling", found, expected, unit: "faces" }) }

@@ -5,6 +5,7 @@ mod economy;
 mod grow;
 mod guides;
 mod kinds;
+mod maps;
 mod picture;
 mod row;
 mod sample;
@@ -13,6 +14,7 @@ pub use economy::{BlockForm, CompressShells, LevelsOfDetail, NotStraight, OneLay
 pub use grow::{GrowStrands, HairUndercoat};
 pub use guides::{GuideHair, GuideStrands, MixStrands};
 pub use kinds::{HairBand, HairGather, HairNoise, HairOffset, HairOpacity, HairPattern, HairStyle, HairTaper, TilePattern};
+pub use maps::{FinOfShells, ImageShells, PatternLook, PatternShells, TileNoise, TintShells};
 pub use picture::FinImage;
 pub use row::CoatsInARow;
 pub use sample::{CurlReport, FinDirection, SampleFin, SampleShells, ShellSpacing};

@@ -2,8 +2,10 @@
 
 use pelage_coat::FinTexture;
 use pelage_graph::{Context, Evaluate, FilePath, Node, NodeError};
+use pelage_volume::Pixels;
 
 use super::convert::fin_texture;
+use crate::images::Pixels as ImageFile;
 
 /// An artist's image as the fin (L9): the skin at its bottom, the tips at its top, repeating across.
 #[derive(Node)]
@@ -20,9 +22,8 @@ pub struct FinImage {
 
 impl Evaluate for FinImage {
     fn evaluate(&self, _: &mut Context<'_>) -> Result<Self::Outputs, NodeError> {
-        let path = self.path.as_path();
-        let image = image::open(path).map_err(|error| format!("{}: {error}", path.display()))?.into_rgba8();
-        let fin = pelage_volume::fin_from_pixels(image.as_raw(), image.width(), image.height(), self.tiles_across)?;
-        Ok(fin_texture(fin).into())
+        let image = ImageFile::read(self.path.as_path())?.into_rgba8();
+        let picture = Pixels { rgba: image.as_raw(), width: image.width(), height: image.height() };
+        Ok(fin_texture(pelage_volume::fin_from_pixels(&picture, self.tiles_across)?).into())
     }
 }

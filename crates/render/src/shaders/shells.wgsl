@@ -34,6 +34,9 @@ struct ShellVertex {
 #if MIXED
     @location(13) mix: f32,  // between the first mixture of hair and the last
 #endif
+#if LAPPED
+    @location(14) opacity: f32,  // of a patch that overlaps others (L6)
+#endif
 };
 
 // How far apart, in pixels, a strand's places in this layer and the next are.
@@ -76,6 +79,9 @@ fn aside(way: vec3f, least: f32) -> vec2f {
 fn shell_vertex(
     @location(0) index: u32, @location(1) tile: vec2f, @location(2) tangent: u32, @location(3) tile_side: f32,
     @location(4) patch_vertex: u32, @location(5) instance: u32,
+#if LAPPED
+    @location(6) opacity: f32,
+#endif
 ) -> ShellVertex {
 #if INSTANCED
     place_number = instance >> 8u;
@@ -108,6 +114,9 @@ fn shell_vertex(
     out.shell = place_among;
 #if MIXED
     out.mix = v.mix;
+#endif
+#if LAPPED
+    out.opacity = opacity;
 #endif
 #if KEPT
     out.kept = vec2f(growth_of(v.offset), cut_of(v.end, shell.top));
@@ -296,12 +305,15 @@ fn shell_colour(in: ShellVertex) -> vec4f {
 
 // How much of its fur a place has left, so far below its shell.
 fn kept(in: ShellVertex, below: f32) -> f32 {
+    var left = 1.0;
 #if KEPT
     let kept = clamp(in.kept + vec2f(0.0, below * frame.fur.y), vec2f(0.0), vec2f(1.0));
-    return kept.x * kept.y;
-#else
-    return 1.0;
+    left = kept.x * kept.y;
 #endif
+#if LAPPED
+    left *= in.opacity;
+#endif
+    return left;
 }
 
 // Depth written where there is hair (Lengyel et al. 2001, section 2.3).

@@ -69,6 +69,20 @@ const PICTURES: &[Picture] = &[
     Picture { file: "figure4-h.png", graph: FIGURE, set: &["coat.length=0.04"], size: SMALL },
     Picture { file: "figure4-i.png", graph: FIGURE, set: &["coat.slant=45.0"], size: SMALL },
     Picture { file: "figure4-j.png", graph: FIGURE, set: &["picture.detail=Level(level: 2.0)"], size: SMALL },
+    Picture { file: "figure4-f.png", graph: FIGURE, set: &["coat.lapped=lapped.lapped"], size: SMALL },
+    Picture {
+        file: "figure4-k.png",
+        graph: FIGURE,
+        set: &["coat.directions=brushed.directions", "coat.slants=brushed.slants"],
+        size: SMALL,
+    },
+    Picture { file: "figure4-l.png", graph: FIGURE, set: &["coat.directions=parted.directions", "coat.slants=parted.slants"], size: SMALL },
+    Picture { file: "lapped.png", graph: "graphs/lapped.ron", set: &[], size: "" },
+    Picture { file: "zima.png", graph: "graphs/zima.ron", set: &[], size: "" },
+    Picture { file: "rabbit.png", graph: "graphs/rabbit.ron", set: &[], size: "" },
+    Picture { file: "patterns.png", graph: "graphs/patterns.ron", set: &[], size: "" },
+    Picture { file: "field.png", graph: "graphs/field.ron", set: &[], size: "" },
+    Picture { file: "crowd.png", graph: "graphs/crowd.ron", set: &[], size: "" },
     Picture { file: "direction-map.png", graph: CURLS, set: &["camera.margin=0.35"], size: HALF },
     Picture { file: "no-direction-map.png", graph: CURLS, set: &["camera.margin=0.35", "picture.direction_map=false"], size: HALF },
     Picture { file: "types.png", graph: "graphs/types.ron", set: &[], size: "" },
@@ -101,6 +115,20 @@ const PICTURES: &[Picture] = &[
 /// Pictures that no graph makes: the file, and the example that draws it, which takes the file's path.
 const EXAMPLES: &[(&str, [&str; 4])] = &[("submitted.png", ["--package", "pelage-tests", "--example", "submitted"])];
 
+/// Pictures of the gallery that pages show: the file, and what the gallery calls it.
+const GALLERY: &[(&str, &str)] = &[
+    ("gallery.png", "sheet.png"),
+    ("bunny-close.png", "bunny-close.png"),
+    ("cat-close.png", "cat-close.png"),
+    ("spider-close.png", "spider-close.png"),
+    ("dog-close.png", "dog-close.png"),
+    ("chimp-close.png", "chimp-close.png"),
+    ("die-close.png", "die-close.png"),
+];
+
+/// Where every saved graph is said.
+const GALLERY_PAGE: &str = "book/src/gallery.md";
+
 const FOLDER: &str = "book/src/pictures";
 
 /// Draws every picture anew, with the release build of the program.
@@ -112,11 +140,33 @@ pub(crate) fn draw(place: &Place) -> Result<()> {
         println!("{FOLDER}/{}", picture.file);
         command(place, picture).run()
     })?;
+    draw_gallery(place)?;
     EXAMPLES.iter().try_for_each(|(file, example)| {
         println!("{FOLDER}/{file}");
         let line = CommandLine::cargo().with(["run", "--quiet", "--release"]).with(*example).with(["--"]);
         line.with([place.at(FOLDER).join(file)]).within(place.root()).run()
     })
+}
+
+/// Draws all saved graphs, and takes what pages show.
+fn draw_gallery(place: &Place) -> Result<()> {
+    let out = place.at("target/book-gallery");
+    CommandLine::cargo()
+        .with(["run", "--quiet", "--release", "--package", "pelage-cli", "--", "gallery", "graphs", "--quiet", "-o"])
+        .with([out.clone()])
+        .within(place.root())
+        .run()?;
+    let copy = |(file, from): &(&str, &str)| {
+        let to = place.at(FOLDER).join(file);
+        fs::copy(out.join(from), &to).map(drop).map_err(|cause| Failure::caused(to.display(), cause))
+    };
+    GALLERY.iter().try_for_each(copy)
+}
+
+/// A line for each saved graph that the gallery's page does not name.
+fn unnamed(page: &str, graphs: &[String]) -> Vec<String> {
+    let missing = graphs.iter().filter(|graph| !page.contains(&format!("`{graph}`")));
+    missing.map(|graph| format!("{GALLERY_PAGE} does not say what graphs/{graph}.ron shows: add a row")).collect()
 }
 
 fn command(place: &Place, picture: &Picture) -> CommandLine {
@@ -138,11 +188,26 @@ pub(crate) fn faults(place: &Place) -> Result<Vec<String>> {
     let read = |page: &PathBuf| fs::read_to_string(page).map_err(|cause| Failure::caused(page.display(), cause));
     let text = pages.iter().map(read).collect::<Result<Vec<String>>>()?.concat();
     faults.extend(unshown(&text));
+    faults.extend(unnamed(&read(&place.at(GALLERY_PAGE))?, &graphs(place)?));
     Ok(faults)
 }
 
 fn files() -> impl Iterator<Item = &'static str> {
-    PICTURES.iter().map(|picture| picture.file).chain(EXAMPLES.iter().map(|(file, _)| *file))
+    PICTURES.iter().map(|picture| picture.file).chain(EXAMPLES.iter().map(|(file, _)| *file)).chain(GALLERY.iter().map(|(file, _)| *file))
+}
+
+/// Names of the saved graphs.
+fn graphs(place: &Place) -> Result<Vec<String>> {
+    let failed = |cause| Failure::caused("graphs", cause);
+    let mut names = Vec::new();
+    for entry in fs::read_dir(place.at("graphs")).map_err(failed)? {
+        let path = entry.map_err(failed)?.path();
+        if path.extension().is_some_and(|extension| extension == "ron") {
+            names.extend(path.file_stem().map(|stem| stem.to_string_lossy().into_owned()));
+        }
+    }
+    names.sort();
+    Ok(names)
 }
 
 fn missing(exists: impl Fn(&str) -> bool) -> Vec<String> {
@@ -172,6 +237,13 @@ mod tests {
         let line = command(&Place::find().unwrap(), &picture).to_string();
         assert!(line.contains("render graphs/x.ron --size 64x48 --set hair.seed=7 --set coat.length=0.1 -o "), "{line}");
         assert!(line.contains("x.png"), "{line}");
+    }
+
+    #[test]
+    fn a_graph_that_the_gallery_does_not_name_is_told() {
+        let graphs = ["fox".to_owned(), "cat".to_owned()];
+        assert_eq!(unnamed("| `cat` | a cat |\n| `fox` | a fox |", &graphs), Vec::<String>::new());
+        assert!(unnamed("| `cat` | a fox |", &graphs)[0].contains("graphs/fox.ron"));
     }
 
     #[test]
