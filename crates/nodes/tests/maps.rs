@@ -28,7 +28,7 @@ fn a_coat_wants_no_strands() {
         "coat": LayFur(mesh: "ball.mesh", patches: "patches.patches", shells: "shells.shells", fin: "fin.fin", length: 0.05)"#;
     let evaluation = run(folder.path(), nodes, "coat.fur").unwrap();
     let coat = evaluation.get::<Coat>("coat.fur").unwrap();
-    assert_eq!((coat.shells.layers(), coat.shells.levels.len(), coat.shells.directions.is_some()), (5, 3, false));
+    assert_eq!((coat.shells.layers(), coat.shells.levels.len(), coat.shells.directions.is_some()), (5, 4, false));
     // Hair that is a pattern stands as the fur does.
     assert!(coat.surface.directions.iter().zip(&coat.surface.normals).all(|(direction, normal)| direction.distance(*normal) < 1e-5));
     assert!(!coat.edges.vertices.is_empty() && coat.fin.as_ref().unwrap().byte_size() > 0);

@@ -281,7 +281,7 @@ fn pipeline(
                 module,
                 entry_point: Some(vertex),
                 compilation_options: PipelineCompilationOptions::default(),
-                buffers: if fragment.is_some() { buffers } else { &buffers[..1] },
+                buffers: if fragment.is_some() { &buffers[..2] } else { &buffers[..1] },
             },
             // Hair that the light sees from behind stands behind skin.
             primitive: PrimitiveState { cull_mode: fragment.is_some().then_some(Face::Back), ..PrimitiveState::default() },

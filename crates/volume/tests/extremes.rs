@@ -180,10 +180,16 @@ fn shells_pass_as_much_light_in_any_number_of_layers_where_hair_is_close() {
 
 #[test]
 fn shells_of_upright_open_hair_show_it_once_however_many_layers() {
-    // The share that stands under hair is seen once, but for the texels at its edge.
+    // The share that stands under hair is seen once, but for the texels at its edge: the finer they are the less those come to.
     let open = grow(&GrowSettings { count: 150, lean: 0.0, undercoat: bare(), ..GrowSettings::default() }).unwrap();
-    let clear = |layers| sampled(&open, layers, 128).transmittance(0, [0.0, 0.0]).unwrap();
-    assert!((clear(16) - clear(32)).abs() < 0.05, "{} {}", clear(16), clear(32));
+    let wanted = open.transmittance([0.0, 0.0], 512).unwrap();
+    let mut most = 0.0_f64;
+    for layers in [8, 16, 32, 64] {
+        let clear = sampled(&open, layers, 512).transmittance(0, [0.0, 0.0]).unwrap();
+        assert!((clear - wanted).abs() < 0.02, "{layers} layers: {clear} of {wanted}");
+        most = most.max((clear - wanted).abs());
+    }
+    println!("reached: {most:.3} from the strands");
 }
 
 #[test]
@@ -213,7 +219,7 @@ fn shells_along_the_normal_neither_thin_nor_thicken_as_layers_double() {
     let mut most = 0.0_f64;
     for layers in [8, 16, 32] {
         let open = sampled(&tile, layers, 512).transmittance(0, [0.0, 0.0]).unwrap();
-        assert!((open - wanted).abs() < 0.03, "{layers} layers: {open} of {wanted}");
+        assert!((open - wanted).abs() < 0.02, "{layers} layers: {open} of {wanted}");
         most = most.max((open - wanted).abs());
     }
     println!("reached: {most:.3} from the strands");

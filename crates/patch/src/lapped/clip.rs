@@ -13,7 +13,7 @@ use super::WHOLE;
 use crate::growth::Draft;
 
 /// Segments of a ring.
-const SEGMENTS: usize = 48;
+const SEGMENTS: usize = 20;
 
 /// A triangle of less than this part of its face's area is none.
 const SLIVER: f64 = 1e-9;

@@ -189,7 +189,10 @@ mod tests {
 
     #[test]
     fn values_of_inputs_are_code_and_lengths_are_not() {
-        assert_eq!(["1234.5", "0.5 m", "Level(level: 1.0)", "\"a.b\"", "picture.fins"].map(shown), ["1234.5", "0.5 m", "`Level(level: 1.0)`", "`\"a.b\"`", "`picture.fins`"]);
+        assert_eq!(
+            ["1234.5", "0.5 m", "Level(level: 1.0)", "\"a.b\"", "picture.fins"].map(shown),
+            ["1234.5", "0.5 m", "`Level(level: 1.0)`", "`\"a.b\"`", "`picture.fins`"]
+        );
     }
 
     #[test]
