@@ -25,6 +25,8 @@ const FEATURES: &[(&str, &str, &str, &str)] = &[
     ("Z2 layers", "zima", "grains.layers", "6"),
     ("Z2 length", "zima", "coat.length", "0.01"),
     ("Z3 a colour texture of its own", "zima", "shells.path", "graphs/images/plain.png"),
+    ("K12 curl by a field", "curls", "across.to", "-0.7"),
+    ("K12 density by a field", "curls", "further.from", "1.0"),
     ("K19 animated layers", "field", "blown.phase", "0.0"),
     ("K19 a crowd", "crowd", "home.taper", "Linear"),
     ("L8 shell layers", "die", "shells.softness", "4.0"),

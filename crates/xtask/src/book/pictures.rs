@@ -82,6 +82,7 @@ const PICTURES: &[Picture] = &[
     Picture { file: "rabbit.png", graph: "graphs/rabbit.ron", set: &[], size: "" },
     Picture { file: "patterns.png", graph: "graphs/patterns.ron", set: &[], size: "" },
     Picture { file: "field.png", graph: "graphs/field.ron", set: &[], size: "" },
+    Picture { file: "curls.png", graph: "graphs/curls.ron", set: &[], size: "" },
     Picture { file: "crowd.png", graph: "graphs/crowd.ron", set: &[], size: "" },
     Picture { file: "direction-map.png", graph: CURLS, set: &["camera.margin=0.35"], size: HALF },
     Picture { file: "no-direction-map.png", graph: CURLS, set: &["camera.margin=0.35", "picture.direction_map=false"], size: HALF },
