@@ -39,16 +39,24 @@ fn every_graph_of_a_folder_is_on_the_sheet() {
     std::fs::write(at("graphs/notes.txt"), "no graph").unwrap();
     let (code, error) = gallery(folder.path(), &["graphs", "--size", "20x20", "--across", "2", "-q", "-o", "out"]);
     assert_eq!(code, 0, "{error}");
-    let mut names: Vec<String> = std::fs::read_dir(at("out")).unwrap().map(|entry| entry.unwrap().file_name().into_string().unwrap()).collect();
+    let mut names: Vec<String> =
+        std::fs::read_dir(at("out")).unwrap().map(|entry| entry.unwrap().file_name().into_string().unwrap()).collect();
     names.sort();
     assert_eq!(names, ["a.png", "b-close.png", "b.png", "index.md", "sheet.png"]);
     assert_eq!((size(&at("out/a.png")), size(&at("out/b-close.png"))), ((60, 30), (32, 32)));
     // Two in a row, with a gap: 20 wide and as high as the highest, that from near.
     assert_eq!(size(&at("out/sheet.png")), (44, 44));
     let index = std::fs::read_to_string(at("out/index.md")).unwrap();
-    assert!(index.contains("| [a](a.png) | a |\n| [b](b.png) | A \\| ball |\n| [b-close](b-close.png) | A \\| ball, from near |"), "{index}");
+    assert!(
+        index.contains("| [a](a.png) | a |\n| [b](b.png) | A \\| ball |\n| [b-close](b-close.png) | A \\| ball, from near |"),
+        "{index}"
+    );
     // The pictures are those that are drawn alone.
-    let alone = Command::new(env!("CARGO_BIN_EXE_pelage")).args(["render", "graphs/a.ron", "-q", "-o", "a.png"]).current_dir(folder.path()).status().unwrap();
+    let alone = Command::new(env!("CARGO_BIN_EXE_pelage"))
+        .args(["render", "graphs/a.ron", "-q", "-o", "a.png"])
+        .current_dir(folder.path())
+        .status()
+        .unwrap();
     assert!(alone.success() && std::fs::read(at("a.png")).unwrap() == std::fs::read(at("out/a.png")).unwrap());
 }
 

@@ -33,6 +33,7 @@ const FIGURES: &[Figure] = &[
         what: "a stroke of a comb that touches 2,000 vertices, on meshes of 10,000 to 1,000,000",
         cargo: "bench -p pelage-field --bench comb",
     },
+    Figure { what: "noise, strokes and blur from 5,000 to 1,000,000 faces", cargo: "bench -p pelage-field --bench values" },
     Figure { what: "patches from 1,000 to 1,000,000 faces, and the 5,000-face bunny", cargo: "bench -p pelage-patch --bench grow" },
     Figure { what: "strands grown a second", cargo: "bench -p pelage-strand --bench grow" },
     Figure { what: "strands sampled a second, and the cost of a pair of piece and texel", cargo: "bench -p pelage-volume --bench sample" },

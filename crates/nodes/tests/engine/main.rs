@@ -37,6 +37,7 @@ fn print(value: &Value) -> String {
         Shading,
         pelage_mesh::RepairReport,
         pelage_nodes::Curves,
+        pelage_patch::LappedPatches,
         pelage_nodes::CurlReport,
         pelage_nodes::OneLayerReport
     );
