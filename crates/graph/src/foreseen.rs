@@ -31,7 +31,7 @@ impl CheckedGraph {
     /// # impl Evaluate for Double {
     /// #     fn evaluate(&self, _: &mut Context<'_>) -> Result<Self::Outputs, NodeError> { Ok((2.0 * self.number).into()) }
     /// # }
-    /// let registry = Registry::new().value::<f64>("Number", |_| 8).node::<Double>();
+    /// let registry = Registry::new().node::<Double>();
     /// let key = |text: &str| Ok::<_, Box<dyn std::error::Error>>(Graph::parse(text)?.check(&registry)?.keys_of(&Request::main())?);
     /// let one = key(r#"Graph(version: 1, output: "a.twice", nodes: { "a": Double() })"#)?;
     /// // By any name, written or by default; but of another number.
