@@ -55,7 +55,7 @@ fn every_place_is_covered_and_none_by_a_triangle_that_is_turned_over() {
             let middle = (places[0] + places[1] + places[2]) / 3.0;
             let owner = index.closest_point(middle).unwrap().point.face;
             let flat = |p: DVec3| {
-                let [a, b, c] = mesh.face(owner).vertices().map(|vertex| vertex.position());
+                let [a, b, c] = mesh.face(owner).vertices().map(pelage_mesh::Vertex::position);
                 let (u, v) = ((b - a), (c - a));
                 let n = u.cross(v);
                 let (s, t) = ((p - a).cross(v).dot(n) / n.length_squared(), u.cross(p - a).dot(n) / n.length_squared());
@@ -118,9 +118,9 @@ fn a_patch_is_whole_in_its_middle_and_gone_at_its_outline() {
             (0..3).for_each(|k| *sides.entry([face[k].min(face[(k + 1) % 3]), face[k].max(face[(k + 1) % 3])]).or_default() += 1);
         }
         let border: Vec<u32> = sides.iter().filter(|(_, count)| **count == 1).flat_map(|(side, _)| *side).collect();
-        // On a ball few patches are cut by their bounds: nearly every border is an outline.
+        // On a ball that no patch's bounds cut, every border is an outline.
         let gone = border.iter().filter(|&&corner| lapped.opacities()[corner as usize] < 1e-6).count();
-        assert!(gone * 10 >= border.len() * 9, "patch {number}: {gone} of {}", border.len());
+        assert!(gone * 20 >= border.len() * 19, "patch {number}: {gone} of {}", border.len());
         assert!(faces.iter().flatten().any(|&corner| lapped.opacities()[corner as usize] == 1.0), "patch {number} is nowhere whole");
     }
     assert!(lapped.opacities().iter().all(|opacity| (0.0..=1.0).contains(opacity)));

@@ -15,8 +15,8 @@ use crate::growth::Draft;
 /// Segments of a ring.
 const SEGMENTS: usize = 20;
 
-/// A triangle of less than this part of its face's area is none.
-const SLIVER: f64 = 1e-9;
+/// A triangle of less than this part of its face's area is none: points of an edge are off it by rounding, by no more than that.
+const SLIVER: f64 = 1e-13;
 
 /// A patch as it is cut.
 pub(super) struct Clipped {
@@ -44,8 +44,8 @@ enum Corner {
     Ring { ring: usize, point: usize, face: usize },
 }
 
-/// Cuts a draft; its places are moved by `shift` at last.
-pub(super) fn clipped(draft: &Draft, mesh: &Mesh, shift: DVec2) -> Clipped {
+/// Cuts a draft whose faces have these corners; its places are moved by `shift` at last.
+pub(super) fn clipped(draft: &Draft, corners: &[[u32; 3]], shift: DVec2) -> Clipped {
     let rings = [1.0, WHOLE].map(|scale| ring(draft, scale));
     let mut cutting = Cutting {
         draft,
@@ -53,7 +53,7 @@ pub(super) fn clipped(draft: &Draft, mesh: &Mesh, shift: DVec2) -> Clipped {
         numbers: HashMap::new(),
         out: Clipped { points: Vec::new(), places: Vec::new(), opacities: Vec::new(), triangles: Vec::new() },
     };
-    for (face, corners) in corners(draft, mesh).into_iter().enumerate() {
+    for (face, &corners) in corners.iter().enumerate() {
         cutting.face(face, corners);
     }
     cutting.out.places.iter_mut().for_each(|place| *place += shift);

@@ -133,11 +133,11 @@ pub fn lap(mesh: &Mesh, directions: Option<&DirectionField>, settings: &Settings
             centre(&mut single, [0, 1, 2], parts);
             let mut draft = grower.grow(&single, REACH);
             // Solving has moved it about the middle of its first face.
-            let first = clip::corners(&draft, mesh)[0];
-            centre(&mut draft, first, parts);
-            covered.cover(&draft, &clip::corners(&draft, mesh));
+            let corners = clip::corners(&draft, mesh);
+            centre(&mut draft, corners[0], parts);
+            covered.cover(&draft, &corners);
             let shift = DVec2::new(random.random(), random.random());
-            lapped.push(clip::clipped(&draft, mesh, shift));
+            lapped.push(clip::clipped(&draft, &corners, shift));
         }
     }
     Ok(lapped)
