@@ -11,7 +11,7 @@ const GAP: u32 = 4;
 /// Stacks of pictures in rows, about twice as many pictures across as down, on white.
 pub(crate) fn placed(stacks: &[Vec<RgbImage>]) -> RgbImage {
     let deep = stacks.iter().map(Vec::len).max().unwrap_or(1) as u32;
-    let across = ((2 * deep as usize * stacks.len()) as f64).sqrt().ceil().clamp(1.0, stacks.len().max(1) as f64) as u32;
+    let across = ((2 * deep as usize * stacks.len()) as f64).sqrt().ceil() as u32;
     in_rows_of(across, stacks)
 }
 

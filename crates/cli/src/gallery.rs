@@ -13,7 +13,7 @@ use crate::contact::{in_rows_of, png, within};
 use crate::failure::Failure;
 use crate::graph::{Overrides, with_files};
 use crate::measure::errors::rgb;
-use crate::output::write_files;
+use crate::output::{check_folder, write_files};
 use crate::render::{encode_png, makes_pictures, size};
 use crate::running::Running;
 
@@ -53,9 +53,7 @@ struct Wanted {
 
 impl Gallery {
     pub(crate) fn run(&self) -> Result<(), Failure> {
-        if self.out.exists() && !self.out.is_dir() {
-            return Err(Failure::Usage(format!("-o {}: that is a file; name a folder", self.out.display())));
-        }
+        check_folder(&self.out)?;
         let registry = pelage_nodes::registry();
         let mut wanted = Vec::new();
         for path in self.files()? {
@@ -74,7 +72,6 @@ impl Gallery {
         }
         files.push(("sheet.png".into(), png(&in_rows_of(self.across, &small))?));
         files.push(("index.md".into(), index(&wanted).into_bytes()));
-        let files: Vec<(&str, Vec<u8>)> = files.iter().map(|(name, bytes)| (name.as_str(), bytes.clone())).collect();
         write_files(&self.out, &files)
     }
 
@@ -117,11 +114,10 @@ fn pictures_of(path: &Path, registry: &Registry) -> Result<Vec<Wanted>, Failure>
     let graph = Overrides::default().read(path, registry)?;
     let checked = Arc::new(graph.check(registry).map_err(|faults| with_files(faults, &graph, registry, path))?);
     let name = path.file_stem().map(|stem| stem.to_string_lossy().into_owned()).unwrap_or_default();
-    let about = || path.display().to_string();
     let main = graph
         .output
         .clone()
-        .ok_or_else(|| Failure::Input(format!("{}: the graph names no output; add `output: \"NODE.PORT\"` to it", about())))?;
+        .ok_or_else(|| Failure::Input(format!("{}: the graph names no output; add `output: \"NODE.PORT\"` to it", path.display())))?;
     let title = graph.title.clone().unwrap_or_else(|| name.clone());
     let close = format!("{CLOSE_UP}.image");
     let from_near = makes_pictures(registry, &graph, &close).then(|| Wanted {

@@ -26,7 +26,7 @@ pub(crate) fn write_file(path: &Path, bytes: &[u8]) -> Result<(), Failure> {
 }
 
 /// Writes several files into a folder. All are written whole beside it first, so that a failure leaves the folder as it was; other files in it stay.
-pub(crate) fn write_files(folder: &Path, files: &[(&str, Vec<u8>)]) -> Result<(), Failure> {
+pub(crate) fn write_files<N: AsRef<str>>(folder: &Path, files: &[(N, Vec<u8>)]) -> Result<(), Failure> {
     let parent = match folder.parent() {
         Some(parent) if !parent.as_os_str().is_empty() => parent,
         _ => Path::new("."),
@@ -35,12 +35,20 @@ pub(crate) fn write_files(folder: &Path, files: &[(&str, Vec<u8>)]) -> Result<()
         std::fs::create_dir_all(parent)?;
         let whole = tempfile::Builder::new().prefix(".pelage-").tempdir_in(parent)?;
         for (name, bytes) in files {
-            std::fs::write(whole.path().join(name), bytes)?;
+            std::fs::write(whole.path().join(name.as_ref()), bytes)?;
         }
         std::fs::create_dir_all(folder)?;
-        files.iter().try_for_each(|(name, _)| std::fs::rename(whole.path().join(name), folder.join(name)))
+        files.iter().try_for_each(|(name, _)| std::fs::rename(whole.path().join(name.as_ref()), folder.join(name.as_ref())))
     };
     write().map_err(|error| Failure::input(folder.display(), &error))
+}
+
+/// That files can be written into a folder: it is one, or is not there yet.
+pub(crate) fn check_folder(folder: &Path) -> Result<(), Failure> {
+    if folder.exists() && !folder.is_dir() {
+        return Err(Failure::Usage(format!("-o {}: that is a file; name a folder", folder.display())));
+    }
+    Ok(())
 }
 
 fn replace_file(path: &Path, bytes: &[u8]) -> Result<(), Failure> {

@@ -5,7 +5,7 @@ use rayon::prelude::*;
 
 use crate::blur::blur;
 use crate::directions::direction_mips;
-use crate::error::{VolumeError, power_of_two, within};
+use crate::error::{VolumeError, within};
 use crate::extent::check_extents;
 use crate::footprint::Footprint;
 use crate::heights::Spacing;
@@ -14,6 +14,7 @@ use crate::mips::{MipRule, shell_mips};
 use crate::plane::Plane;
 use crate::shell::Shell;
 use crate::slab::{Cut, Slab};
+use crate::stack::StackSettings;
 
 /// Most layers × resolution² sampled at once (16 bytes each while working: 512 MiB).
 pub const MAX_TEXELS: u64 = 1 << 25;
@@ -71,16 +72,17 @@ impl ShellSettings {
     /// # Errors
     /// A value outside the range that its field states, a resolution that is no power of two, too many texels.
     pub fn validate(&self) -> Result<(), VolumeError> {
-        within("layers", f64::from(self.layers), 1.0, f64::from(MOST_LAYERS), "layers")?;
-        self.spacing.validate()?;
+        self.stack().validate()?;
         self.directions.map_or(Ok(()), |stretch| within("directions", stretch, 1e-3, 1e3, "(stretch)"))?;
-        power_of_two("resolution", self.resolution, 2048)?;
         within("lateral_sigma", self.lateral_sigma, 0.0, 1024.0, "texels")?;
         within("vertical_core", self.vertical_core, 0.0, 8.0, "layer spacings")?;
-        within("vertical_sigma", self.vertical_sigma, 0.05, 8.0, "layer spacings")?;
-        self.skin_colour.iter().try_for_each(|&c| within("skin_colour", f64::from(c), 0.0, 1.0, "(linear light)"))?;
-        let asked = u64::from(self.layers) * u64::from(self.resolution) * u64::from(self.resolution);
-        if asked > MAX_TEXELS { Err(VolumeError::TooManyTexels { asked, limit: MAX_TEXELS }) } else { Ok(()) }
+        within("vertical_sigma", self.vertical_sigma, 0.05, 8.0, "layer spacings")
+    }
+
+    /// What they have in common with stacks that no strands are sampled into.
+    fn stack(&self) -> StackSettings {
+        let &Self { layers, spacing, resolution, skin_colour, mip_rule, .. } = self;
+        StackSettings { layers, spacing, resolution, skin_colour, mip_rule }
     }
 }
 

@@ -27,6 +27,22 @@ impl Place {
         self.root.join(relative)
     }
 
+    /// The names, sorted and without their ending, of the RON files in a folder.
+    #[cfg(feature = "checks")]
+    pub(crate) fn ron_names(&self, relative: &str) -> Result<Vec<String>> {
+        let folder = self.at(relative);
+        let failed = |cause| Failure::caused(folder.display(), cause);
+        let mut names = Vec::new();
+        for entry in std::fs::read_dir(&folder).map_err(failed)? {
+            let path = entry.map_err(failed)?.path();
+            if path.extension().is_some_and(|extension| extension == "ron") {
+                names.extend(path.file_stem().map(|stem| stem.to_string_lossy().into_owned()));
+            }
+        }
+        names.sort();
+        Ok(names)
+    }
+
     /// The root itself.
     #[cfg(feature = "checks")]
     pub(crate) fn root(&self) -> &Path {

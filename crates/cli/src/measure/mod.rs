@@ -72,9 +72,7 @@ pub(crate) struct Measure {
 
 impl Measure {
     pub(crate) fn run(&self) -> Result<(), Failure> {
-        if let Some(out) = self.out.as_ref().filter(|out| out.exists() && !out.is_dir()) {
-            return Err(Failure::Usage(format!("-o {}: that is a file; name a folder", out.display())));
-        }
+        self.out.as_deref().map_or(Ok(()), crate::output::check_folder)?;
         let description = self.description()?;
         let rounds = self.rounds.or(description.rounds).unwrap_or(ROUNDS).max(1);
         let plan = Plan::new(&description, &self.overrides, self.size, MOST_SETTINGS)?;

@@ -189,26 +189,12 @@ pub(crate) fn faults(place: &Place) -> Result<Vec<String>> {
     let read = |page: &PathBuf| fs::read_to_string(page).map_err(|cause| Failure::caused(page.display(), cause));
     let text = pages.iter().map(read).collect::<Result<Vec<String>>>()?.concat();
     faults.extend(unshown(&text));
-    faults.extend(unnamed(&read(&place.at(GALLERY_PAGE))?, &graphs(place)?));
+    faults.extend(unnamed(&read(&place.at(GALLERY_PAGE))?, &place.ron_names("graphs")?));
     Ok(faults)
 }
 
 fn files() -> impl Iterator<Item = &'static str> {
     PICTURES.iter().map(|picture| picture.file).chain(EXAMPLES.iter().map(|(file, _)| *file)).chain(GALLERY.iter().map(|(file, _)| *file))
-}
-
-/// Names of the saved graphs.
-fn graphs(place: &Place) -> Result<Vec<String>> {
-    let failed = |cause| Failure::caused("graphs", cause);
-    let mut names = Vec::new();
-    for entry in fs::read_dir(place.at("graphs")).map_err(failed)? {
-        let path = entry.map_err(failed)?.path();
-        if path.extension().is_some_and(|extension| extension == "ron") {
-            names.extend(path.file_stem().map(|stem| stem.to_string_lossy().into_owned()));
-        }
-    }
-    names.sort();
-    Ok(names)
 }
 
 fn missing(exists: impl Fn(&str) -> bool) -> Vec<String> {

@@ -23,7 +23,7 @@ const FINGERPRINTS: &str = "book/src/measured/fingerprints.txt";
 /// Measures the sweeps named, or all, with the release build of the program.
 pub(crate) fn measure(place: &Place, wanted: &[String]) -> Result<()> {
     vulkan::make_sure()?;
-    let all = names(place)?;
+    let all = place.ron_names(SWEEPS)?;
     if let Some(unknown) = wanted.iter().find(|name| !all.contains(name)) {
         return Err(Failure::new(format!("there is no {SWEEPS}/{unknown}.ron")).remedy(format!("name some of {}", all.join(", "))));
     }
@@ -63,7 +63,7 @@ fn fingerprint(place: &Place, program: &str, name: &str) -> Result<String> {
 pub(crate) fn old(place: &Place) -> Result<Vec<String>> {
     let (kept, program) = (fingerprints(place)?, nodes::program(place)?);
     let now = |name: String| fingerprint(place, &program, &name).map(|now| (name, now));
-    let now = names(place)?.into_iter().map(now).collect::<Result<Vec<_>>>()?;
+    let now = place.ron_names(SWEEPS)?.into_iter().map(now).collect::<Result<Vec<_>>>()?;
     Ok(now.iter().filter_map(|(name, now)| old_of(name, now, kept.get(name))).collect())
 }
 
@@ -94,7 +94,7 @@ fn measure_one(place: &Place, name: &str, text: &str) -> Result<()> {
 pub(crate) fn faults(place: &Place) -> Result<Vec<String>> {
     let text = text_of_pages(place)?;
     let there = |file: &str| place.at(file).is_file();
-    Ok(names(place)?.iter().flat_map(|name| faults_of(name, &text, there)).collect())
+    Ok(place.ron_names(SWEEPS)?.iter().flat_map(|name| faults_of(name, &text, there)).collect())
 }
 
 fn faults_of(name: &str, text: &str, there: impl Fn(&str) -> bool) -> Vec<String> {
@@ -118,21 +118,6 @@ fn sheet(name: &str) -> String {
 
 fn shown(text: &str, picture: &str) -> bool {
     text.contains(&format!("pictures/{picture})"))
-}
-
-/// Names of the sweeps, sorted.
-fn names(place: &Place) -> Result<Vec<String>> {
-    let folder = place.at(SWEEPS);
-    let failed = |cause| Failure::caused(folder.display(), cause);
-    let mut names = Vec::new();
-    for entry in fs::read_dir(&folder).map_err(failed)? {
-        let path = entry.map_err(failed)?.path();
-        if path.extension().is_some_and(|extension| extension == "ron") {
-            names.extend(path.file_stem().map(|stem| stem.to_string_lossy().into_owned()));
-        }
-    }
-    names.sort();
-    Ok(names)
 }
 
 fn text_of_pages(place: &Place) -> Result<String> {
@@ -163,6 +148,6 @@ mod tests {
     #[test]
     fn a_sweep_that_there_is_not_is_refused() {
         let place = Place::find().unwrap();
-        assert!(names(&place).unwrap().contains(&"shells".to_owned()));
+        assert!(place.ron_names(SWEEPS).unwrap().contains(&"shells".to_owned()));
     }
 }
