@@ -1,5 +1,5 @@
 //! How far pictures are from each other that are all true: the hair of two graphs ray cast, with other noise, and with strands that are not cut at patches. What is drawn is held against
-//! them by `pelage measure`.
+//! them by `pelage measure`. A table in Markdown: light is the mean of red over what both cover wholly, coverage that of the picture.
 //!
 //! `cargo run --release -p pelage-tests --example truth [-- SAMPLES]`
 #![allow(clippy::print_stdout, reason = "an example prints")]
@@ -11,20 +11,17 @@ use pelage_graph::{Evaluator, Graph, Request};
 use pelage_nodes::Picture;
 use pelage_tests::{Error, repository};
 
-const HEADING: &str =
-    "light over what both cover wholly, red, green, blue; coverage of the picture; FLIP mean, 99th percentile; RMSE of linear light";
-
 fn main() -> Result<(), Error> {
     let samples = std::env::args().nth(1).unwrap_or("64".into());
+    println!("| graph | picture | light | coverage | FLIP, mean | 99th percentile | RMSE |\n|---|---|---|---|---|---|---|");
     for name in ["bunny", "truth"] {
         let mut evaluator = pelage_nodes::evaluator(1 << 30);
         let truth = truth_of(&mut evaluator, name, &[("truth.samples", &samples)])?;
-        println!("{name}: {HEADING}");
-        print_row("the truth", &truth, &truth)?;
+        print_row(name, "the truth", &truth, &truth)?;
         let other = truth_of(&mut evaluator, name, &[("truth.samples", &samples), ("truth.seed", "2")])?;
-        print_row("the truth with another seed", &other, &truth)?;
+        print_row(name, "the truth with other noise", &other, &truth)?;
         let free = truth_of(&mut evaluator, name, &[("truth.samples", &samples), ("truth.placement", "Free")])?;
-        print_row("free strands", &free, &truth)?;
+        print_row(name, "free strands", &free, &truth)?;
     }
     Ok(())
 }
@@ -40,7 +37,7 @@ fn truth_of(evaluator: &mut Evaluator, name: &str, set: &[(&str, &str)]) -> Resu
     Ok(evaluator.run(&graph.check(&registry)?, &Request::output("truth.image"))?.get::<Picture>("truth.image")?)
 }
 
-fn print_row(what: &str, picture: &Picture, truth: &Picture) -> Result<(), Error> {
+fn print_row(name: &str, what: &str, picture: &Picture, truth: &Picture) -> Result<(), Error> {
     let rgb = |picture: &Picture| picture.rgba.chunks_exact(4).flat_map(|p| [p[0], p[1], p[2]]).collect::<Vec<u8>>();
     let (test, reference) = (rgb(picture), rgb(truth));
     let mask: Vec<u8> = picture.coverage.iter().zip(&truth.coverage).map(|(a, b)| if *a > 0 || *b > 0 { 255 } else { 0 }).collect();
@@ -48,16 +45,9 @@ fn print_row(what: &str, picture: &Picture, truth: &Picture) -> Result<(), Error
     let report = flip(images.0, images.1, Some(&mask), DEFAULT_PIXELS_PER_DEGREE)?;
     let whole = |k: usize| picture.coverage[k] == 255 && truth.coverage[k] == 255;
     let count = (0..mask.len()).filter(|&k| whole(k)).count() as f64;
-    let light = [0, 1, 2].map(|c| (0..mask.len()).filter(|&k| whole(k)).map(|k| linear_light(test[3 * k + c])).sum::<f64>() / count);
+    let light = (0..mask.len()).filter(|&k| whole(k)).map(|k| linear_light(test[3 * k])).sum::<f64>() / count;
     let covered = picture.coverage.iter().map(|&c| f64::from(c)).sum::<f64>() / 255.0 / mask.len() as f64;
-    println!(
-        "  {what:36} {:.4} {:.4} {:.4}  {covered:.4}  {:.4} {:.4}  {:.4}",
-        light[0],
-        light[1],
-        light[2],
-        report.mean,
-        report.p99,
-        rmse_linear(images.0, images.1, Some(&mask))?
-    );
+    let rmse = rmse_linear(images.0, images.1, Some(&mask))?;
+    println!("| {name} | {what} | {light:.3} | {covered:.3} | {:.3} | {:.3} | {rmse:.3} |", report.mean, report.p99);
     Ok(())
 }

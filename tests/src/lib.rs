@@ -3,6 +3,7 @@
 //! Run `cargo run --release -p pelage-tests --example goldens` to draw the kept pictures anew, and look at them before they are committed.
 
 mod golden;
+mod measured;
 mod models;
 mod race;
 mod scene;
@@ -10,6 +11,7 @@ mod stage;
 mod variants;
 
 pub use golden::{Bounds, Comparison, Golden};
+pub use measured::{Figures, Page, Row, number, span};
 pub use models::clean_models;
 pub use race::{Contender, Finish, Fur, race};
 pub use scene::{Scene, gpu, graph_names, repository};

@@ -1,4 +1,4 @@
-//! Rays a second through hair, beside triangles of the same number in `obvhs` alone; and how long a picture takes.
+//! Rays a second through hair, beside triangles of the same number in `obvhs` alone; and how long a picture takes: a table in Markdown.
 //!
 //! The triangles are the segments again, each flat and as long and wide, so that boxes are alike; `obvhs` meets them in `f32`, in the order of the picture, on as many threads.
 //!
@@ -23,12 +23,11 @@ use rayon::prelude::*;
 
 const SIZE: (u32, u32) = (640, 480);
 const SAMPLES: u32 = 16;
+const RATES: &str = "millions of rays a second: ours, with rays to the light, triangles binary, triangles eight wide";
 
 fn main() -> Result<(), Box<dyn std::error::Error>> {
-    println!("{SIZE:?}, {SAMPLES} samples, {} threads", rayon::current_num_threads());
-    println!(
-        "segments, bytes a segment | laying and boxes, s | picture, s (million rays a second) | with rays to the light | triangles: bvh2, cwbvh, million rays a second"
-    );
+    println!("| segments | bytes a segment | laying and boxes, s | picture, s | with rays to the light, s | {RATES} |");
+    println!("|---|---|---|---|---|---|");
     for (strands, tiles) in [(1400, 1.0), (4600, 2.0), (4600, 3.0), (4600, 5.0)] {
         let undercoat = Undercoat { count: strands * 7 / 10, ..Undercoat::default() };
         let tile = grow(&GrowSettings { count: strands - undercoat.count, undercoat, ..GrowSettings::default() })?;
@@ -52,13 +51,13 @@ fn measure(coat: &Coat, tile: &StrandTile) -> Result<(), Box<dyn std::error::Err
     }
     let rates = triangles(&flat(&scene.curves()?), &view);
     println!(
-        "{}, {:.0} | {:.2} | {:.1} ({:.2}) | {:.1} ({:.2}) | {:.2}, {:.2}",
+        "| {} | {:.0} | {:.1} | {:.1} | {:.1} | {:.2}, {:.2}, {:.2}, {:.2} |",
         counts.segments,
         counts.bytes as f64 / counts.segments as f64,
         built.as_secs_f64(),
         pictures[0],
-        pictures[1],
         pictures[2],
+        pictures[1],
         pictures[3],
         rates[0],
         rates[1]

@@ -226,7 +226,7 @@ fn a_step_of_a_ten_thousandth_changes_little_wherever_the_eye_is() {
     let out = Vec3::new(0.3, 0.2, 0.93).normalize();
     let mut worst = 0.0_f64;
     for height in [-0.2, 0.0, 1e-3, 0.02, 0.045, 0.06] {
-        for near in [1e-4, 1e-2, 1.0] {
+        for near in [1e-4, 1e-2, 1.0, 10.0] {
             for ahead in [out, out.cross(Vec3::Y).normalize(), -out] {
                 let at = |step: Vec3| {
                     let eye = out * (radius + height) + 1e-4 * step;

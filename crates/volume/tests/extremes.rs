@@ -153,14 +153,14 @@ fn slopes() -> [[f64; 2]; 3] {
 
 #[test]
 fn shells_pass_as_much_light_in_any_number_of_layers_where_hair_is_close() {
-    // The edge of the domain: guard hairs alone, whose strands themselves let 2.4 % through along the normal. What is closer is kept better.
-    let open = grow(&GrowSettings { undercoat: bare(), ..GrowSettings::default() }).unwrap();
+    // The edge of the domain: guard hairs alone, whose strands themselves let just under 2 % through along the normal. What is closer is kept better.
+    let open = grow(&GrowSettings { count: 1500, undercoat: bare(), ..GrowSettings::default() }).unwrap();
     let closed = grow(&GrowSettings::default()).unwrap();
     let mut reached = Vec::new();
     for (tile, limit, layers) in [(&open, 0.02, vec![8, 16, 64, 256]), (&closed, 0.004, vec![8, 48])] {
         let (mut spread, mut off) = (0.0_f64, 0.0_f64);
         let strands = slopes().map(|slope| tile.transmittance(slope, 256).unwrap());
-        assert!(strands[0] < 0.026, "{strands:?}");
+        assert!(strands[0] < 0.02, "{strands:?}");
         let through = |&layers: &u32| {
             let stack = sampled(tile, layers, 128);
             slopes().map(|slope| stack.transmittance(0, slope).unwrap())
@@ -170,7 +170,7 @@ fn shells_pass_as_much_light_in_any_number_of_layers_where_hair_is_close() {
             let all: Vec<f64> = counts.iter().map(|kept| kept[angle]).collect();
             let (least, most) = (all.iter().copied().fold(1.0, f64::min), all.iter().copied().fold(0.0, f64::max));
             assert!(most - least < limit, "{all:?} at angle {angle}");
-            assert!((least - strands[angle]).abs().max((most - strands[angle]).abs()) < 0.025, "{all:?} of {}", strands[angle]);
+            assert!((least - strands[angle]).abs().max((most - strands[angle]).abs()) < 0.02, "{all:?} of {}", strands[angle]);
             (spread, off) = (spread.max(most - least), off.max((least - strands[angle]).abs()).max((most - strands[angle]).abs()));
         }
         reached.push(format!("{spread:.4} among layer counts and {off:.3} from the strands"));

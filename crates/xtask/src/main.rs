@@ -2,7 +2,7 @@
 //!
 //! - `demo` renders the furry bunny and says where the picture is.
 //! - `verify` runs every check and test, each with the reason it exists, and stops at the first failure.
-//! - `book` builds the book; `book pictures` draws its pictures anew, `book sweeps` and `book extremes` measure what its accuracy chapter shows.
+//! - `book` builds the book; `book all` makes anew all that it shows: `book pictures`, `book sweeps`, `book said`, `book extremes`.
 //! - `vulkan` only makes sure that there is something to draw with, as `demo` and `verify` do first.
 //!
 //! `verify` and `book` are behind the feature `checks`, so that a newcomer's `cargo demo` compiles an argument parser and nothing

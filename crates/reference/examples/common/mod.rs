@@ -32,6 +32,7 @@ pub(crate) fn ball(cells: u32, tiles: f32) -> Coat {
             surface.offsets.push(0.065 * (0.9 * up + 0.43 * along));
             surface.bends.push(0.02 * along);
             surface.ends.push(1.0);
+            surface.mixes.push(0.0);
             surface.directions.push(0.8 * up + 0.4 * along);
             surface.colours.push(Vec3::new(0.9, 0.75 + 0.2 * up.y, 0.6));
             patches.vertices.push(first + k);

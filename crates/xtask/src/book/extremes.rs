@@ -23,9 +23,14 @@ const VALUE: usize = 2;
 /// A test, by its file from the repository's root and its name.
 type Test = (String, String);
 
+/// Whether the models are there that half of the values are of.
+pub(crate) fn has_models() -> bool {
+    env::var_os("PELAGE_MODELS").is_some()
+}
+
 /// Writes the values anew.
 pub(crate) fn write(place: &Place) -> Result<()> {
-    if env::var_os("PELAGE_MODELS").is_none() {
+    if !has_models() {
         let missing = Failure::new("PELAGE_MODELS is not set, and half of the values are of the models in that folder");
         return Err(missing.remedy("set it to the folder that holds `real` and `nasty`"));
     }

@@ -7,6 +7,7 @@ mod nodes;
 mod pages;
 mod pictures;
 mod plot;
+mod said;
 mod sweeps;
 mod tables;
 
@@ -25,9 +26,11 @@ pub(crate) enum What {
     Plots,
     /// Measure the saved sweeps anew, all or those named after it: their figures, plots, contact sheets and tables.
     Sweeps,
+    /// Run the commands whose tables pages quote, and quote them anew.
+    Said,
     /// Run the tests that the page of extremes names, and write what each reached. Wants the models that `PELAGE_MODELS` names.
     Extremes,
-    /// All of these: pictures, plots, sweeps and extremes.
+    /// All of these: pictures, plots, sweeps, what is said, and extremes, which are left as they are where there are no models.
     All,
 }
 
@@ -44,7 +47,12 @@ pub(crate) fn run(place: &Place, what: Option<What>, sweeps: &[String]) -> Resul
     if wants(&[What::Sweeps]) {
         sweeps::measure(place, sweeps)?;
     }
-    if wants(&[What::Extremes]) {
+    if wants(&[What::Said]) {
+        said::write(place)?;
+    }
+    if what == Some(What::All) && !extremes::has_models() {
+        println!("PELAGE_MODELS is not set: the page of extremes stays as it is, as half of its values are of those models");
+    } else if wants(&[What::Extremes]) {
         extremes::write(place)?;
     }
     tables::write(place)?;
@@ -73,6 +81,7 @@ fn check_sources(place: &Place) -> Result<()> {
     faults.extend(plot::faults(place)?);
     faults.extend(sweeps::faults(place)?);
     faults.extend(tables::faults(place)?);
+    faults.extend(said::faults(place)?);
     faults.extend(links::faults(place)?);
     hold(&faults)
 }

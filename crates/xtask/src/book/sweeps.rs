@@ -24,14 +24,20 @@ const FINGERPRINTS: &str = "book/src/measured/fingerprints.txt";
 pub(crate) fn measure(place: &Place, wanted: &[String]) -> Result<()> {
     vulkan::make_sure()?;
     let all = place.ron_names(SWEEPS)?;
-    if let Some(unknown) = wanted.iter().find(|name| !all.contains(name)) {
-        return Err(Failure::new(format!("there is no {SWEEPS}/{unknown}.ron")).remedy(format!("name some of {}", all.join(", "))));
-    }
+    check_names(wanted, &all)?;
     let text = text_of_pages(place)?;
     all.iter().filter(|name| wanted.is_empty() || wanted.contains(name)).try_for_each(|name| {
         measure_one(place, name, &text)?;
         keep_fingerprint(place, name, &all)
     })
+}
+
+/// That there are sweeps of these names.
+fn check_names(wanted: &[String], all: &[String]) -> Result<()> {
+    match wanted.iter().find(|name| !all.contains(name)) {
+        Some(unknown) => Err(Failure::new(format!("there is no {SWEEPS}/{unknown}.ron")).remedy(format!("name some of {}", all.join(", ")))),
+        None => Ok(()),
+    }
 }
 
 /// Puts the fingerprint of a sweep in the place of the one before; those of sweeps that there are no more go.
@@ -147,7 +153,9 @@ mod tests {
 
     #[test]
     fn a_sweep_that_there_is_not_is_refused() {
-        let place = Place::find().unwrap();
-        assert!(place.ron_names(SWEEPS).unwrap().contains(&"shells".to_owned()));
+        let all = ["fins".to_owned(), "shells".to_owned()];
+        assert!(check_names(&all[..1], &all).is_ok() && check_names(&[], &all).is_ok());
+        let refused = check_names(&["shels".to_owned()], &all).unwrap_err().to_string();
+        assert!(refused.contains("no graphs/sweeps/shels.ron") && refused.contains("fins, shells"), "{refused}");
     }
 }
