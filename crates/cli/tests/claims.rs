@@ -55,7 +55,7 @@ const COARSE: &[&str] = &["shells.layers=12", "shells.resolution=64", "few.layer
 #[test]
 fn fins_lower_the_error_of_the_silhouette() {
     let table = measured("fins", &[COARSE, &["truth.samples=9"]].concat());
-    everywhere(&by_case(&table, "outline_rms"), |rms| rms[1] < 0.8 * rms[0]);
+    everywhere(&by_case(&table, "outline_rms"), |rms| rms[1] < 0.4 * rms[0]);
 }
 
 #[test]
@@ -87,5 +87,5 @@ fn the_axes_of_the_table_lower_the_error_of_the_highlight() {
 #[test]
 fn blending_lowers_the_pop() {
     let table = measured("blend", COARSE);
-    everywhere(&by_case(&table, "rmse_linear"), |steps| steps[1..].iter().all(|step| *step < steps[0]));
+    everywhere(&by_case(&table, "rmse_linear"), |steps| steps[1..].iter().all(|step| *step < 0.8 * steps[0]));
 }

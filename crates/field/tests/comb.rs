@@ -200,10 +200,13 @@ proptest! {
         let mut comb = Comb::new(&ball, Some(&field), 0.4).unwrap();
         let before = comb.clone();
         let mut brush = Brush::on(&ball);
-        for tool in tools {
-            brush.apply(&BrushStroke { tool, path: vec![from, to], radius, strength }, &mut comb).unwrap();
-        }
         let reach = radius * ball.diameter();
+        for tool in tools {
+            let touched = brush.apply(&BrushStroke { tool, path: vec![from, to], radius, strength }, &mut comb).unwrap();
+            // What a stroke looks at lies within its radius of the way between its ends, and no further.
+            let off = |place: DVec3| place.distance(from + (to - from) * ((place - from).dot(to - from) / (to - from).length_squared().max(1e-12)).clamp(0.0, 1.0));
+            prop_assert!(touched.iter().all(|vertex| off(ball.vertex(*vertex).position()) <= reach + 0.02));
+        }
         for (vertex, normal) in ball.vertices().zip(ball.vertex_normals()) {
             let lean = comb.leans()[vertex.index()];
             prop_assert!(lean.is_finite() && lean.length() <= MOST_SLANT + 1e-12 && lean.dot(normal).abs() < 1e-9);

@@ -77,6 +77,18 @@ fn without_bend_it_is_the_straight_hair_to_the_last_bit() {
 }
 
 #[test]
+fn sheared_hair_is_as_high_as_it_was_and_longer_by_one_over_the_cosine() {
+    // The paper's shear (L20) moves shells along the surface and leaves their heights: hair grows longer as it is combed down, where bent hair, above, keeps its length.
+    for slant in [-80.0_f64, -33.0, 0.0, 25.0, 60.0, 80.0] {
+        let coat = combed(slant, 0.7, "slant_as: Sheared");
+        let (c, b) = curve(&coat.surface, 4);
+        let radians = slant.to_radians();
+        assert!(b == DVec3::ZERO && (c - LENGTH * DVec3::new(radians.tan(), 1.0, 0.0)).length() < 1e-6, "slant {slant}: {c}, {b}");
+        assert!((c.length() * radians.cos() / LENGTH - 1.0).abs() < 1e-6, "slant {slant}: {}", c.length() / LENGTH);
+    }
+}
+
+#[test]
 fn without_directions_nothing_bends() {
     let coat = coat("slant: 60.0, bend: 1.0");
     assert!(coat.surface.bends.iter().all(|&bend| bend == Vec3::ZERO));

@@ -118,6 +118,15 @@ fn a_loop_closes_and_moves_on_the_way() {
         let at = |phase, swing| made(&FurMap { phase, swing, ..map }, 6, 64).mips[0].texels.clone();
         assert!(at(0.25, 0.5) == at(1.25, 0.5) && at(0.25, 0.5) == at(-0.75, 0.5), "{:?}", map.look);
         assert_ne!(at(0.0, 0.5), at(0.5, 0.5), "{:?}", map.look);
+        // A hundredth of the loop moves little, over its end as within it.
+        let moved = |from, to| at(from, 0.5).iter().zip(at(to, 0.5)).filter(|&(&a, b)| a.abs_diff(b) > 8).count();
+        assert!(
+            2 * moved(0.995, 0.005) < 3 * moved(0.495, 0.505) + 300,
+            "{:?}: {} and {}",
+            map.look,
+            moved(0.995, 0.005),
+            moved(0.495, 0.505)
+        );
         assert_eq!(at(0.0, 0.0), at(0.3, 0.0), "{:?} moves at rest", map.look);
     }
 }
@@ -227,6 +236,13 @@ fn a_fin_of_shells_shows_what_a_slab_of_them_covers() {
         let (covered, wanted) = (fin.mips[0].mean_coverage(0), 1.0 - 0.9f64.powi(depth));
         assert!((covered - wanted).abs() < 0.04, "{covered} of {wanted}");
     }
+    // And of what lets through, each texel behind the other.
+    let veil = [77u8; 4 * 64];
+    let pixels = Pixels { rgba: &veil, width: 8, height: 8 };
+    let stack_of_veils = shells_from_pixels(&[pixels; 3], &StackSettings { resolution: 32, ..StackSettings::default() }).unwrap();
+    let fin = stack_of_veils.fin(&FinSettings { slab_width: 4.0 / 32.0, ..FinSettings::default() }).unwrap();
+    let (covered, wanted) = (fin.mips[0].mean_coverage(0), 1.0 - (1.0 - 77.0 / 255.0f64).powi(4));
+    assert!((covered - wanted).abs() < 0.01, "{covered} of {wanted}");
     // Where hair thins, the fin does: its top row is that of the tips.
     let thin = made(&FurMap { thinning: 2.0, density: 0.4, ..FurMap::default() }, 12, 128).fin(&FinSettings::default()).unwrap();
     let row = |y: u32| (0..512).map(|x| f64::from(thin.mips[0].texel(0, x, y).unwrap()[3])).sum::<f64>();

@@ -35,7 +35,9 @@ pub(crate) fn measure(place: &Place, wanted: &[String]) -> Result<()> {
 /// That there are sweeps of these names.
 fn check_names(wanted: &[String], all: &[String]) -> Result<()> {
     match wanted.iter().find(|name| !all.contains(name)) {
-        Some(unknown) => Err(Failure::new(format!("there is no {SWEEPS}/{unknown}.ron")).remedy(format!("name some of {}", all.join(", ")))),
+        Some(unknown) => {
+            Err(Failure::new(format!("there is no {SWEEPS}/{unknown}.ron")).remedy(format!("name some of {}", all.join(", "))))
+        }
         None => Ok(()),
     }
 }
