@@ -21,8 +21,8 @@ fn to([least, most]: [String; 2]) -> String {
     if least == most { least } else { format!("{least} to {most}") }
 }
 
-fn ensure(holds: bool, claim: impl ToString) -> Result<(), Error> {
-    if holds { Ok(()) } else { Err(claim.to_string().into()) }
+fn ensure(holds: bool, claim: impl Into<String>) -> Result<(), Error> {
+    if holds { Ok(()) } else { Err(claim.into().into()) }
 }
 
 const DISTANCES: [&str; 5] = ["0.5 m", "1 m", "2 m", "4 m", "8 m"];
