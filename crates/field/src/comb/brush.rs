@@ -14,6 +14,8 @@ const SPACING: f64 = 0.25;
 /// What strokes on one mesh share; making it is linear in the mesh, a stroke in what it touches.
 pub struct Brush<'a> {
     mesh: &'a Mesh,
+    /// Of the mesh: to work it out looks at every vertex.
+    diameter: f64,
     index: SpatialIndex<'a>,
     geodesics: Geodesics<'a>,
     normals: Vec<DVec3>,
@@ -22,7 +24,13 @@ pub struct Brush<'a> {
 impl<'a> Brush<'a> {
     /// For strokes on this mesh.
     pub fn on(mesh: &'a Mesh) -> Self {
-        Self { mesh, index: SpatialIndex::of(mesh), geodesics: Geodesics::on(mesh), normals: mesh.vertex_normals() }
+        Self {
+            mesh,
+            diameter: mesh.diameter(),
+            index: SpatialIndex::of(mesh),
+            geodesics: Geodesics::on(mesh),
+            normals: mesh.vertex_normals(),
+        }
     }
 
     /// Applies a stroke, and gives the vertices that it touched, the nearest to its path first. Nothing else is looked at.
@@ -35,7 +43,7 @@ impl<'a> Brush<'a> {
             return Err(FieldError::Length { values: comb.leans.len(), expected: vertices });
         }
         let places = self.places(stroke)?;
-        let radius = stroke.radius * self.mesh.diameter();
+        let radius = stroke.radius * self.diameter;
         let sources: Vec<Source> = places.iter().map(|place| Source::Point(place.1)).collect();
         // Places on the surface and a radius that was checked: there is nothing left to refuse.
         let near =
@@ -58,7 +66,7 @@ impl<'a> Brush<'a> {
     /// The stroke's places on the surface, with others between those that are far apart.
     fn places(&self, stroke: &BrushStroke) -> Result<Vec<(DVec3, SurfacePoint)>, FieldError> {
         stroke.check()?;
-        let radius = stroke.radius * self.mesh.diameter();
+        let radius = stroke.radius * self.diameter;
         let mut places = Vec::new();
         for (number, &place) in stroke.path.iter().enumerate() {
             let before = number.checked_sub(1).map_or(place, |before| stroke.path[before]);
