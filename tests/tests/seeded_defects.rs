@@ -21,7 +21,7 @@ fn parts() -> Result<(Scene, Coat, View, Background), Error> {
 }
 
 fn draw(coat: &Coat, view: &View, background: &Background, size: (u32, u32)) -> Result<Picture, Error> {
-    let offscreen = Offscreen::new(gpu()?.headless(), size, 4)?;
+    let offscreen = Offscreen::new(gpu()?.headless(), size, 1)?;
     Ok(offscreen.render(&offscreen.upload(coat)?, view, background)?)
 }
 
